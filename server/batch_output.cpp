@@ -31,7 +31,7 @@ std::size_t read_at(int file, std::vector<char>& block, off_t at) {
   return static_cast<std::size_t>(count);
 }
 
-/// What is told of a file by the newlines in it.
+/// What the newlines in a file say of it.
 struct Lines {
   std::uint64_t count{0};
   off_t end{0};         ///< of the last whole line

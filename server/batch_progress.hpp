@@ -20,8 +20,8 @@ struct BatchState {
   double seconds{0};  ///< of this run
 };
 
-/// "1200 lines, 40 a second, 30 %, about 2 min left": what is left is told by the bytes of the input that
-/// this run has answered so far.
+/// "1200 lines, 40 a second, 30 %, about 2 min left": what is left is estimated from the bytes of
+/// the input that this run has answered so far.
 [[nodiscard]] std::string progress_text(const BatchState& state);
 
 class BatchProgress {

@@ -1,5 +1,5 @@
 #pragma once
-// A file descriptor that closes itself.
+// A file descriptor with one owner, which closes it at the end of its life.
 
 #include <unistd.h>
 

@@ -5,7 +5,7 @@
 // httplib (0.11.4) does not see the client's bytes. Where framing.hpp refuses, its parser takes the first of
 // two lengths. Where the contract has an answer, it says 400: to an unknown method, a second "?", a field of
 // more than 8 KiB. And it decodes "%41" in a field's value, so that a bearer token would become another one.
-// So it is told what the framing has read, as far as the form of the answer depends on it.
+// So the framing passes on what it has read, as far as the form of the answer depends on it.
 
 #include <string_view>
 

@@ -28,7 +28,7 @@ class Entrance {
   [[nodiscard]] static bool is_of(Id id) { return id < first_free; }
 
   /// Gives the clients who wait at this one to `admit`. Where there is no descriptor, `give_way` frees one,
-  /// or else the client is told.
+  /// or else the client gets an answer that says so.
   void accept_all(Id id, const std::function<void(Descriptor)>& admit, const std::function<bool()>& give_way);
 
   /// The system had no memory for another connection: nobody is accepted until resume().

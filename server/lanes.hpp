@@ -34,7 +34,7 @@ inline constexpr std::array all_lanes{Lane::light, Lane::heavy};
 
 struct LaneLimits {
   double longest_wait{};  ///< seconds that the last entry of the queue may expect to wait
-  double burst_wait{};    ///< or it may begin within so many seconds after the lane was idle
+  double burst_wait{};    ///< or it may begin within this many seconds after the lane was idle
   std::size_t waiting{};  ///< entries that the queue may have
 };
 

@@ -13,7 +13,7 @@
 
 namespace qdot::server {
 
-/// The present state of the server, which is told beside the counts.
+/// The present state of the server, which is reported beside the counts.
 struct Gauges {
   std::size_t light_waiting{}, light_running{};
   std::size_t heavy_waiting{}, heavy_running{};

@@ -1,5 +1,5 @@
 #pragma once
-// epoll, and a way to wake the thread that waits in it.
+// epoll, by which one thread waits for all sockets at once, and a way for other threads to wake it.
 
 #include <sys/epoll.h>
 
@@ -18,7 +18,7 @@ class Poller {
   /// Throws std::runtime_error where the system has no descriptor for it. Nobody else uses the Id 0.
   Poller();
 
-  /// What happens to the descriptor is told by `id`. Throws std::runtime_error where there is no memory.
+  /// wait() names what happens to the descriptor by `id`. Throws std::runtime_error where there is no memory.
   void watch(const Descriptor& descriptor, Id id, std::uint32_t events) const;
   void forget(const Descriptor& descriptor) const;
 

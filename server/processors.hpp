@@ -1,4 +1,6 @@
 #pragma once
+// How many processors the server may use, from which it decides how many threads compute. In a container that
+// is less than the machine has.
 
 #include <string>
 

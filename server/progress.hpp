@@ -23,7 +23,7 @@ class Progress {
 
   [[nodiscard]] std::chrono::duration<double> passed() const;
 
-  /// The same threads, their tasks counted: they are what the progress is told by. Must not outlive this.
+  /// The same threads, their tasks counted: the progress is reported in them. Must not outlive this.
   [[nodiscard]] api::Spread counting(api::Spread spread);
 
  private:

@@ -83,7 +83,7 @@ struct Transport::Impl {
  private:
   struct Entry {
     Connection connection;
-    std::list<Id> place;  // has one element, which is moved to waiting_ while the client is awaited
+    std::list<Id> place;  // has one element, which is moved to waiting_ while it waits for the client
     std::list<Id>::iterator in_waiting{};
     bool waits{false};
     Budget::Share unsent{};
@@ -128,7 +128,7 @@ struct Transport::Impl {
           entries_.try_emplace(id, Entry{Connection(std::move(socket), patience_, bodies_, now_), {id}})
               .first;
       ++connection_count_;
-      // All connections are being answered, so none can give way: the newcomer is told at once.
+      // All connections are being answered, so none can give way: the newcomer gets its answer at once.
       if (full) entry->second.connection.turn_away(now_);
       drive(entry);
     } catch (const std::exception&) {

@@ -1,10 +1,12 @@
 #pragma once
+// The command line cannot be followed as it is: an unknown option, a missing file, two options that exclude
+// each other. main() prints what() and ends with the exit code for wrong usage.
 
 #include <stdexcept>
 
 namespace qdot::server {
 
-/// The command line cannot be followed as it is; what() says what to type.
+/// what() says what to type instead.
 struct UsageError : std::runtime_error {
   using std::runtime_error::runtime_error;
 };

@@ -10,7 +10,7 @@
 //               printed expression with the request's parameters, to 1e-9 of itself; or it solves the
 //               printed equation in its own name, to 1e-9 of the larger side or of 1.
 //   expression  It has the value of the printed one, to 1e-9 of itself, at several states.
-//   equation    It is the printed one but for a factor without accelerations: in each of several states the
+//   equation    It is the printed one times a factor without accelerations: in each of several states the
 //               two residuals (left - right) have the same ratio for all accelerations, to 1e-9.
 //   names       Those of a list, or of an object's members, are the printed ones in their order.
 

@@ -1,5 +1,5 @@
 #pragma once
-// What a request will cost. It is told from the text of the request alone, before that is read properly, so
+// What a request will cost. It is judged by the text of the request alone, before that is read properly, so
 // that cheap questions need not wait behind expensive ones. An appraisal may be wrong by a factor of a few,
 // because it decides who waits and changes no answer. The same request always has the same appraisal.
 

@@ -1,4 +1,5 @@
 #pragma once
+// The JSON files of this folder inside the program: what documents say that no endpoint's record has.
 
 #include "api/json/embedded_file.hpp"
 

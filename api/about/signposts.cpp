@@ -85,7 +85,7 @@ class Finder {
  private:
   static constexpr std::size_t longest = 4;
 
-  /// The pattern that the path fits but for its writing; what a name in braces stands for is kept.
+  /// The pattern that the path fits if written otherwise; what a name in braces stands for is kept.
   [[nodiscard]] std::string same_address() const {
     for (const Route& route : routes_.all()) {
       const Segments pattern = without_version(segments_of(route.pattern));
@@ -206,8 +206,8 @@ std::string as_sent(std::string_view query) {
   return result;
 }
 
-/// No path at all, slashes too many and capitals are told and not followed: a path that was put together
-/// wrongly shows where.
+/// No path at all, slashes too many and capitals are reported and not followed: the message shows where a
+/// path was put together wrongly.
 bool is_tidy(std::string_view path) {
   return !path.empty() && path == lower_case(path) && path.find("//") == std::string_view::npos &&
          !path.ends_with('/');

@@ -12,7 +12,7 @@ namespace qdot::api {
 
 struct Signpost {
   std::string address{};  ///< a path, maybe with a query: "/v1/modes?system=cart_pendulum"; empty: none
-  bool is_same{false};    ///< the path is this address but for /v1 and hyphens
+  bool is_same{false};    ///< the path is this address, /v1 and hyphens aside
 };
 
 [[nodiscard]] Signpost signpost_for(std::string_view path, const Routes& routes, const Catalogue& catalogue);

@@ -44,7 +44,7 @@ void put_in_exponents(ResolvedSystem& system, const SystemChoice& choice,
                       std::span<const std::string> events);
 
 /// With the state at time t, which obeys the constraints; without one it is where a search begins, and need
-/// not. Parameters that are exponents are put in, but for `varied`, which the answer has many values of.
+/// not. Parameters that are exponents are put in, except `varied`, of which the answer has many values.
 /// Throws as resolved_state, consistent_state and Models::of do.
 [[nodiscard]] ResolvedSystem resolved_system(const SystemChoice& choice, Json echo, Models& models,
                                              std::optional<double> t = 0.0, const std::string& varied = {});

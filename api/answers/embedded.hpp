@@ -1,4 +1,5 @@
 #pragma once
+// The endpoints' JSON files inside the program, which say in OpenAPI's terms what each one answers.
 
 #include "api/json/embedded_file.hpp"
 

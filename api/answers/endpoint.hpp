@@ -25,23 +25,28 @@
 
 namespace qdot::api {
 
-/// What can be asked, and how a request becomes an answer.
+/// What can be asked, and how a request becomes an answer. Where the request of a call is all that is asked,
+/// there are also `answering`, the same answer to a submission at hand, such as a row of a sweep, and `read`.
 struct Question {
   const FieldSet* fields{};
   std::function<Handler(const FindSystem& find_system, Models& models)> handler{};
   /// The request as the answer echoes it, or what is wrong with it, without an answer.
   std::function<std::variant<Json, Problem>(const Submission&, const FindSystem&)> read{};
+  std::function<Answering(const FindSystem& find_system, Models& models)> answering{};
 };
 
-/// Makes both from one table. What core throws while `answer` runs becomes a problem (guarded).
+/// Makes all of it from one table. What core throws while `answer` runs becomes a problem (guarded).
 template <class Request>
 Question question(const RequestTable<Request>& table,
                   Response (*answer)(const Resolved<Request>& resolved, Call& call, Models& models)) {
-  const auto handler = [&table, answer](const FindSystem& find_system, Models& models) {
+  const auto answers = [&table, answer](const FindSystem& find_system, Models& models) {
     return answering<Request>(table, find_system,
                               [answer, &models](const Resolved<Request>& resolved, Call& call) {
                                 return guarded(call, [&] { return answer(resolved, call, models); });
                               });
+  };
+  const auto handler = [answers](const FindSystem& find_system, Models& models) {
+    return handler_of(answers(find_system, models));
   };
   const auto read = [&table](const Submission& submission,
                              const FindSystem& find_system) -> std::variant<Json, Problem> {
@@ -49,7 +54,7 @@ Question question(const RequestTable<Request>& table,
     if (auto* problem = std::get_if<Problem>(&read)) return std::move(*problem);
     return std::get<Resolved<Request>>(std::move(read)).echo;
   };
-  return {&table.set(), handler, read};
+  return {&table.set(), handler, read, answers};
 }
 
 /// The members of a request beside `system`, for a scene whose parameters have these values; no value where

@@ -1,5 +1,5 @@
 #pragma once
-// Problems for runs that failed numerically.
+// The problem (RFC 9457) of a run that failed numerically: where it came to, and what to try instead.
 
 #include <span>
 

@@ -1,5 +1,5 @@
 #pragma once
-// Many computations for one request.
+// A request that is made of many computations, such as the rows of a sweep, spreads them over threads.
 
 #include <cstddef>
 #include <functional>

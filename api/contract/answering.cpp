@@ -70,7 +70,6 @@ Response json_response(const Json& body, Layout layout) {
 }
 
 std::variant<Submission, Problem> submission_of(const Call& call, const JsonLimits& limits) {
-  if (call.submission != nullptr) return *call.submission;
   if (call.request.method != "POST") return submission_of_get(call);
   const auto header = call.request.headers.find("content-type");
   const std::string content_type = header == call.request.headers.end() ? "" : header->second;
@@ -79,6 +78,16 @@ std::variant<Submission, Problem> submission_of(const Call& call, const JsonLimi
   auto submission = submission_of_body(call.request.body, limits);
   if (auto* read = std::get_if<Submission>(&submission)) add_query(call.target.query, *read);
   return submission;
+}
+
+Handler handler_of(Answering answering) {
+  return [answering = std::move(answering)](Call& call) {
+    const auto submission = submission_of(call);
+    if (const auto* problem = std::get_if<Problem>(&submission)) {
+      return to_response(*problem, call.target.path, call.layout);
+    }
+    return answering(std::get<Submission>(submission), call);
+  };
 }
 
 }  // namespace qdot::api

@@ -22,17 +22,20 @@ namespace qdot::api {
 [[nodiscard]] std::variant<Submission, Problem> submission_of(const Call& call,
                                                               const JsonLimits& limits = {});
 
-/// Reads a request by its table and answers it, or says what is wrong with it. The table must outlive the
-/// handler.
+/// Answers a submission that came with a call, or was put together for it.
+using Answering = std::function<Response(const Submission&, Call&)>;
+
+/// Answers the submission in a call, or says why it is none.
+[[nodiscard]] Handler handler_of(Answering answering);
+
+/// Reads a request by its table and answers it, or says what is wrong with it. The table must outlive what is
+/// returned.
 template <class Request>
-Handler answering(const RequestTable<Request>& table, FindSystem find_system,
-                  std::function<Response(const Resolved<Request>&, Call&)> answer) {
-  return [&table, find_system = std::move(find_system), answer = std::move(answer)](Call& call) {
-    const auto submission = submission_of(call);
-    if (const auto* problem = std::get_if<Problem>(&submission)) {
-      return to_response(*problem, call.target.path, call.layout);
-    }
-    const auto read = table.read(std::get<Submission>(submission), find_system);
+Answering answering(const RequestTable<Request>& table, FindSystem find_system,
+                    std::function<Response(const Resolved<Request>&, Call&)> answer) {
+  return [&table, find_system = std::move(find_system), answer = std::move(answer)](
+             const Submission& submission, Call& call) {
+    const auto read = table.read(submission, find_system);
     call.timing.lap("parse");
     if (const auto* problem = std::get_if<Problem>(&read)) {
       return to_response(*problem, call.target.path, call.layout);

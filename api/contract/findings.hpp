@@ -1,4 +1,6 @@
 #pragma once
+// What the rules of a request table may do that look at more than one field: report what is wrong, each error
+// at its place, and correct the echo where fields depend on each other (api/contract/request_table.hpp).
 
 #include <algorithm>
 #include <initializer_list>
@@ -14,7 +16,6 @@
 
 namespace qdot::api {
 
-/// What a check may do: report, and correct the echo where fields depend on each other.
 class Findings {
  public:
   Findings(Road road, Json& echo, Errors& errors, const std::vector<std::string>& defaulted,

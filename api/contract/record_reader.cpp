@@ -102,7 +102,7 @@ class RecordReader {
 
   void refuse_unknown_fields(const FieldSet& set, const Json& object, const Place& place) {
     // Without its system, the names in a query cannot be told apart: the mistake is the system. Only what is
-    // nearly a field is told, "System".
+    // nearly a field is reported, "System".
     const bool any_may_be_a_symbol = place.road() == Road::query && scene() == nullptr && has_symbols(set);
     for (const auto& [name, value] : object.items()) {
       if (is_full(errors_)) return;

@@ -46,8 +46,8 @@ class Place {
   }
   template <std::same_as<std::string> Temporary>
   Place below(Temporary&& key) const = delete;
-  /// Where a field is missed. In a request it is the field itself, so that a body and a query are told the
-  /// same; in an object inside, or in a document, the object, because a pointer leads to something sent.
+  /// Where a field is missed. In a request it is the field itself, so that a body and a query get the same
+  /// error; in an object inside, or in a document, the object, because a pointer leads to something sent.
   [[nodiscard]] Place of_missing(std::string_view field) const;
 
   [[nodiscard]] Road road() const { return road_; }

@@ -1,4 +1,6 @@
 #pragma once
+// A name that a request can give a value to, with what a message about a wrong value says: the unit and the
+// domain, so that the client learns what to write instead.
 
 #include <string>
 #include <string_view>
@@ -7,7 +9,6 @@
 
 namespace qdot::api {
 
-/// One name that a request can give a value to.
 struct Symbol {
   std::string name;
   std::string unit;

@@ -29,8 +29,6 @@ class Timing {
   std::vector<std::pair<std::string, double>> laps_;
 };
 
-struct Submission;
-
 /// One request on its way to its handler.
 struct Call {
   const Request& request;
@@ -40,7 +38,6 @@ struct Call {
   std::string accepted{};               ///< the media type that the client prefers of those that are offered
   std::vector<std::string> notes{};     ///< sentences about how the request was understood
   Timing timing{};
-  const Submission* submission{};  ///< the fields of the request where they were read before; else nullptr
   /// Members of the answer that are read, or their parts by pointer (JsonWriter), where others need not be
   /// written; else nullptr.
   const std::vector<std::string>* wanted{};

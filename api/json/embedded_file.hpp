@@ -1,4 +1,6 @@
 #pragma once
+// Files of the source tree that the build puts inside the program (embed.cmake), so that it needs no others
+// beside it when it runs.
 
 #include <algorithm>
 #include <span>
@@ -8,7 +10,6 @@
 
 namespace qdot::api {
 
-/// A file of the source tree inside the program (embed.cmake).
 struct EmbeddedFile {
   std::string_view name;  ///< "spring_pendulum.json"
   std::string_view text;

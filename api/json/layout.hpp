@@ -1,8 +1,9 @@
 #pragma once
+// How JSON is laid out: in one line, as programs want it, or indented, for people, where the address has
+// `?pretty`.
 
 namespace qdot::api {
 
-/// How JSON is laid out: `?pretty` asks for indentation.
 enum class Layout { compact, pretty };
 
 }  // namespace qdot::api

@@ -13,7 +13,7 @@
 namespace qdot::api {
 namespace {
 
-constexpr std::size_t rows_between_looks = 256;  // whether the answer is still awaited
+constexpr std::size_t rows_between_looks = 256;  // whether anyone still waits for the answer
 
 // -1.7976931348623157e+308 has 24 characters, -0.0001 with 17 digits 23.
 constexpr std::size_t longest_number = 32;

@@ -1,4 +1,5 @@
 #pragma once
+// The scenes of the catalogue and of the classics inside the program, each the text of its JSON file.
 
 #include "api/json/embedded_file.hpp"
 

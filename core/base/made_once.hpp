@@ -45,7 +45,7 @@ class MadeOnce {
   }
 
  private:
-  /// How often a waiting thread looks whether its own answer is still awaited.
+  /// How often a waiting thread checks whether anyone still waits for its own answer.
   static constexpr std::chrono::milliseconds patience{20};
 
   struct Entry {

@@ -1,11 +1,12 @@
 #pragma once
+// How much algebra the search for one answer's formulas may take. It is not counted against the answer,
+// which comes without formulas where this does not suffice.
 
 #include <cstdint>
 
 namespace qdot {
 
-/// What the search for one answer's formulas may cost (core/base/work.hpp). It is not counted against the
-/// answer itself, which comes without formulas where it does not suffice.
+/// In the units of WorkScope (core/base/work.hpp).
 inline constexpr std::uint64_t most_algebra = 1'000'000;
 
 }  // namespace qdot

@@ -86,7 +86,7 @@ std::vector<Expression> places_of_barriers(const std::vector<Expression>& factor
 
 namespace {
 
-/// By what it is told whether one of the factors vanishes on a way.
+/// What decides whether one of the factors vanishes on a way.
 struct BarrierSigns {
   std::vector<Expression> once;   ///< vanish at most once: the signs at the ends of the way tell
   std::vector<Expression> turns;  ///< linear in x: where one is a whole number the factor vanishes

@@ -18,7 +18,7 @@ struct CharacteristicRoots {
 [[nodiscard]] CharacteristicRoots characteristic_roots(Graph& graph, const LinearMatrices& matrices,
                                                        const std::vector<std::size_t>& group);
 
-/// v with (K - lambda M) v = 0, of all coordinates; 0 but for those of the group. Empty where there is none.
+/// v with (K - lambda M) v = 0, of all coordinates; 0 outside the group. Empty where there is none.
 [[nodiscard]] std::vector<Surd> null_vector(const Graph& graph, const LinearMatrices& matrices,
                                             const std::vector<std::size_t>& group, const Surd& lambda);
 

@@ -145,9 +145,23 @@ Expression with_fractions_under_roots(const Expression& e) {
   return taken.empty() ? e : substitute(e, taken);
 }
 
+/// With more than some fifteen digits, which no book prints.
+bool has_long_numbers(const Expression& e) {
+  constexpr std::size_t most_bits = 50;
+  const NodeId root = e.id();
+  const auto is_long = [&](NodeId id) {
+    const Node& node = e.graph().node(id);
+    if (const auto* product = std::get_if<Product>(&node)) return product->coefficient.bits() > most_bits;
+    const auto* literal = std::get_if<Literal>(&node);
+    return literal != nullptr && literal->value.bits() > most_bits;
+  };
+  return std::ranges::any_of(reachable(e.graph(), {&root, 1}), is_long);
+}
+
 }  // namespace
 
-/// What stands under roots is taken to keep its sign, but for coordinates, which formulas have for any value.
+/// What stands under roots is taken to keep its sign, unless it contains a coordinate: a formula in
+/// coordinates holds for any value of theirs.
 Expression short_form(const ExactValues& values, const Expression& formula) {
   const std::vector<Expression>& coordinates = values.model().parsed.symbols.coordinates.value;
   const SignOf sign = [&](const Polynomial& a) {
@@ -174,7 +188,8 @@ std::optional<ClosedForm> closed_form(const ExactValues& values, const Expressio
                                       const Relations& relations, std::span<const Expression> allowed,
                                       std::size_t longest) {
   const Expression e = short_form(values, formula);
-  if (written_length(e) > longest || !speaks_only_of(e, values.symbols(), allowed)) return std::nullopt;
+  const bool is_short = written_length(e) <= longest && !has_long_numbers(e);
+  if (!is_short || !speaks_only_of(e, values.symbols(), allowed)) return std::nullopt;
   const Notation notation = notation_of(values.model().scene);
   return ClosedForm{print(e, Form::text, notation), print(e, Form::latex, notation),
                     assumptions(values, e, relations)};

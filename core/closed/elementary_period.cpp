@@ -51,7 +51,7 @@ class PeriodSearch {
   }
 
  private:
-  /// In place of the parameters and constants, so that what is no such integral is told with little algebra.
+  /// In place of the parameters and constants, so that little algebra shows what is no such integral.
   void take_numbers() {
     constexpr int primes[]{3, 5, 7, 11, 13, 17, 19, 23, 29, 31, 37, 41, 43, 47, 53, 59, 61, 67, 71, 73};
     const NodeId root = speed2_.id();

@@ -23,6 +23,13 @@ std::optional<Expression> without_root(const Expression& e, const Expression& x,
   return rest ? std::optional(to_expression(x.graph(), *rest)) : std::nullopt;
 }
 
+/// Without -x0 as well, where that is a root: of x^2 one is known.
+std::optional<Expression> without_roots(const Expression& e, const Expression& x, const Expression& x0) {
+  const auto rest = without_root(e, x, x0);
+  const auto even = rest && !x0.is_zero() ? without_root(*rest, x, -x0) : std::nullopt;
+  return even ? even : rest;
+}
+
 /// A sum of parameters under one name, where a symbol stands in it by itself and can be put out by it.
 struct NamedSum {
   Expression name, sum;
@@ -95,7 +102,7 @@ void ExactExtrema::consider(const Expression& left, const Relations& relations) 
   }
   if (is_angle_) return;
   const std::optional<Expression> start = equation_.start();
-  if (const auto rest = start ? without_root(left, equation_.x, *start) : std::nullopt) {
+  if (const auto rest = start ? without_roots(left, equation_.x, *start) : std::nullopt) {
     for (const Expression& root : roots_in(Function::cos, *rest)) {
       for (const End end : {End::maximum, End::minimum}) consider(end, Function::cos, root, left, relations);
     }

@@ -58,7 +58,7 @@ class OneCoordinate {
     return find_places(after);
   }
 
-  /// m - c^2 m': zero where an impact leaves the energy as it is, so that no speed is told from another.
+  /// m - c^2 m': zero where an impact leaves the energy as it is, so that every speed repeats.
   [[nodiscard]] Expression loss() const {
     const Expression c = at(factor_, before_);
     return simplify(at(inertia_, before_) - c * c * at(inertia_, after_));

@@ -134,7 +134,7 @@ Prepared prepared(const Model& model, const LinearMotions& all, const SteadyPlac
   return result;
 }
 
-/// Where no mode was found, or asked for, only its place is told.
+/// Where no mode was found, or asked for, there is only a formula for the place.
 Wanted wanted_of(const Modes& found) { return found.modes.empty() ? Wanted::place : Wanted::modes; }
 
 /// Nothing where the algebra grows too large, or divides by what vanishes.

@@ -15,6 +15,7 @@
 #include "core/closed/taken_squares.hpp"
 #include "core/closed/trial.hpp"
 #include "core/expr/print/print.hpp"
+#include "core/expr/rational_function.hpp"
 
 namespace qdot {
 namespace {
@@ -157,7 +158,7 @@ class SolutionForms {
     std::vector<Expression> free, held, numbers;
     std::vector<std::string> needed;
     for (std::size_t i = 0; i < places_.size(); ++i) {
-      if (!is_held(places_[i], u)) {
+      if (!is_held(i, u)) {
         free.push_back(places_[i]);
         continue;
       }
@@ -185,14 +186,27 @@ class SolutionForms {
 
   /// Whether some force vanishes there, whatever the unknown is or where it is 0, and would not at another
   /// value of this coordinate.
-  [[nodiscard]] bool is_held(const Expression& place, const Expression& u) const {
-    const auto has_it = [&](std::size_t k) { return depends_on(graph_->adopt(polynomial_.whole[k]), place); };
-    if (std::ranges::any_of(found_.without_force, has_it)) return true;
+  [[nodiscard]] bool is_held(std::size_t place, const Expression& u) const {
+    for (const std::size_t k : found_.without_force) {
+      const Expression force = graph_->adopt(polynomial_.whole[k]);
+      const auto alone = first_that_stops(force);
+      if (alone ? *alone == place : depends_on(force, places_[place])) return true;
+    }
     for (std::size_t k = 0; k < polynomial_.forces.size() && u.is_zero(); ++k) {
       const bool has_constant = polynomial_.forces[k].degree.has_value();
-      if (has_constant && depends_on(graph_->adopt(polynomial_.forms[3 * k]), place)) return true;
+      if (has_constant && depends_on(graph_->adopt(polynomial_.forms[3 * k]), places_[place])) return true;
     }
     return false;
+  }
+
+  /// A coordinate that makes the force vanish by itself, wherever the others are.
+  [[nodiscard]] std::optional<std::size_t> first_that_stops(const Expression& force) const {
+    for (std::size_t i = 0; i < places_.size(); ++i) {
+      const Replacement there{places_[i], numbers_[i]};
+      if (depends_on(force, places_[i]) && rational_function(substitute(force, {&there, 1})).is_zero())
+        return i;
+    }
+    return std::nullopt;
   }
 
   [[nodiscard]] Trial trial_at(const Expression& u, const Relations& relations) const {

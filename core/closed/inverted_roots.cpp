@@ -27,6 +27,7 @@ class Inversion {
     std::ranges::copy(roots_of_power(e_, x_), std::back_inserter(found_));
     by_circular_functions();
     by_inner_functions();
+    by_lengths();
     by_one_side();
     return std::move(found_);
   }
@@ -121,6 +122,40 @@ class Inversion {
         if (const auto inverse = inverse_of(outer, value)) add_roots_of(*inner - *inverse);
       }
     }
+  }
+
+  /// x^2 and u = sqrt(a x^2 + c), a spring beside a wire: what u is.
+  void by_lengths() {
+    const Expression u = graph_.symbol("function of x");
+    const NodeId root = e_.id();
+    for (const NodeId id : reachable(graph_, {&root, 1})) {
+      const auto* power = std::get_if<Power>(&graph_.node(id));
+      if (power == nullptr || power->exponent != Number::ratio(1, 2)) continue;
+      const Expression length(graph_, id), base(graph_, power->base);
+      const auto c = quadratic_in(base, x_);
+      if (!c || !(*c)[1].is_zero() || (*c)[2].is_zero()) continue;
+      const auto by_u = without_squares(length, u, (u * u - (*c)[0]) / (*c)[2]);
+      if (!by_u) continue;
+      for (const Expression& value : roots_of_polynomial(*by_u, u)) {
+        const Expression square = (value * value - (*c)[0]) / (*c)[2];
+        if (values_.sign(value) <= 0 || values_.sign(square) <= 0) continue;
+        found_.insert(found_.end(), {sqrt(square), -sqrt(square)});
+      }
+    }
+  }
+
+  /// With u for the length and what x^2 is by it; none where an odd power of x is left.
+  [[nodiscard]] std::optional<Expression> without_squares(const Expression& length, const Expression& u,
+                                                          const Expression& square) const {
+    const Replacement named{length, u};
+    Expression sum = graph_.number(0);
+    for (const auto& [monomial, coefficient] : rational_function(substitute(e_, {&named, 1})).above) {
+      const int n = exponent_of(monomial, x_.id());
+      if (n % 2 != 0 || n < 0) return std::nullopt;
+      const Expression rest = to_expression(graph_, {{times(monomial, x_.id(), -n), coefficient}});
+      sum = sum + rest * pow(square, Number(n / 2));
+    }
+    return sum;
   }
 
   [[nodiscard]] std::optional<Expression> inner_function(const Expression& outer) const {

@@ -167,7 +167,7 @@ class AngleSearch {
     return true;
   }
 
-  /// tan(x) = tan(u): x is u, but for half turns.
+  /// tan(x) = tan(u): x is u and any number of half turns.
   [[nodiscard]] bool solve_known_tangent(std::size_t k, const RationalFunction& tangent) {
     const auto u = angle_of_tangent(problem_.x[k].graph(), tangent);
     if (!u) return false;

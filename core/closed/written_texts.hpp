@@ -1,4 +1,6 @@
 #pragma once
+// The numbers of a request as they were typed, from which formulas are made: "1/3" and "sqrt(2)" stay exact,
+// where the numbers that motions are computed with are rounded.
 
 #include <map>
 #include <string>

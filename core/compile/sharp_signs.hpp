@@ -3,7 +3,7 @@
 // out has a multiple root, doubles do not tell its sign over eps^(1/m) of its size.
 //
 // The function's coefficients along the way are enclosed in twice the digits, and what follows them over the
-// whole piece (core/numerics/taylor_enclosure.hpp), so that no change of sign lies where none is told.
+// whole piece (core/numerics/taylor_enclosure.hpp), so that no change of sign lies where none is listed.
 
 #include <span>
 #include <vector>

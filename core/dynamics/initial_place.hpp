@@ -1,8 +1,9 @@
 #pragma once
+// Where a motion starts, as seen by one coordinate that moves between a smallest and a largest value: at one
+// of these turning points, between them, or at rest for ever.
 
 namespace qdot {
 
-/// Where a motion starts between the largest and the smallest value of a coordinate.
 enum class InitialPlace { minimum, maximum, between, equilibrium };
 
 }  // namespace qdot

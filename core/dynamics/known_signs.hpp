@@ -1,6 +1,6 @@
 #pragma once
-// States beside the kinks and jumps of a scene: what depends on signs there is told by values, whatever a
-// motion does that comes to one.
+// States that are not on a kink or a jump of the scene, so that every sign in its functions is known: there
+// their values can be computed, whatever a motion does that reaches a kink.
 
 #include "core/dynamics/columns.hpp"
 #include "core/mechanics/model.hpp"

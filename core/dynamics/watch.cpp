@@ -149,7 +149,9 @@ Watched watched_column(const Dynamics& dynamics, const WatchRequest& request, co
 /// sign (y_i - limit)
 void watch_component(Watch& watch, std::size_t i, double sign, double limit) {
   watch.value = [=](double, std::span<const double> y) { return sign * (y[i] - limit); };
-  watch.enclosure = [=](double, std::span<const Interval> y) { return Interval(sign) * (y[i] - limit); };
+  watch.enclosure = [=](const Interval&, std::span<const Interval> y) {
+    return Interval(sign) * (y[i] - limit);
+  };
   watch.series = [=](const MotionPiece& piece, unsigned order, std::span<double> coefficients) {
     const std::span<const double> row = piece.rows.subspan(i * (piece.order + 1), piece.order + 1);
     double rest = 0;
@@ -264,7 +266,7 @@ decltype(Watch::enclosure) enclosure_of(SharedFunction function, std::span<const
   std::vector<Interval> values;
   for (const double parameter : parameters) values.push_back(around(parameter));
   return [function, values, made = std::make_shared<std::unique_ptr<TapeEvaluator<Interval>>>()](
-             double t, std::span<const Interval> y) {
+             const Interval& t, std::span<const Interval> y) {
     if (!*made) *made = std::make_unique<TapeEvaluator<Interval>>(*function, values);
     (*made)->set_time(t);
     Interval value;
@@ -287,6 +289,7 @@ EventFunction Watch::event() const {
       .value = value,
       .series = series,
       .rounding = [of = enclosure](double t, std::span<const double> y) { return rounding_by(of, t, y); },
+      .range = enclosure,
       .direction = direction,
       .terminal = kind != Kind::event && kind != Kind::jump,
       .counts_at_start = kind == Kind::impact,

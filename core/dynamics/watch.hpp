@@ -38,8 +38,8 @@ struct Watch {
   std::function<double(double t, std::span<const double> y)> value{};
   decltype(EventFunction::series) series{};
   decltype(EventFunction::condition) condition{};
-  /// Its values over a box of states; the whole line where there may be none.
-  std::function<Interval(double t, std::span<const Interval> y)> enclosure{};
+  /// Its values over a box of times and states; the whole line where there may be none.
+  std::function<Interval(const Interval& t, std::span<const Interval> y)> enclosure{};
   /// The same by its slopes over the box: sum_k dg/dy_k (y_k - m_k) for all y in it and the middle m. Narrow
   /// where one variable stands in several terms that cancel; the whole line where there may be no slopes.
   std::function<Interval(double t, std::span<const Interval> y)> change_over{};
@@ -49,7 +49,7 @@ struct Watch {
   /// It has a sign(), and may jump.
   bool may_jump{false};
   /// Values over a box of what is above zero where a zero counts.
-  std::function<Interval(double t, std::span<const Interval> y)> when_enclosure{};
+  std::function<Interval(const Interval& t, std::span<const Interval> y)> when_enclosure{};
 
   /// The value at a state that may be known beyond doubles, as what was typed is.
   std::function<Ball(const Reals& parameters, const Real& t, const Reals& y)> exact{};

@@ -7,7 +7,7 @@
 namespace qdot {
 
 /// For each bracket that stands below or under a root in different powers, the polynomial with the lowest of
-/// them taken out of these terms, where they are no more then. Exact, but for where the bracket is zero.
+/// them taken out of these terms, where they are no more then. Exact, except where the bracket is zero.
 [[nodiscard]] std::vector<Polynomial> over_common_denominators(Graph& graph, const Polynomial& polynomial);
 
 }  // namespace qdot

@@ -1,5 +1,5 @@
 #pragma once
-// The rational number that an expression is.
+// The rational number that an expression is once its symbols have rational values.
 
 #include <functional>
 #include <optional>

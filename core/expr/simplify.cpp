@@ -8,6 +8,7 @@
 #include "core/expr/common_denominator.hpp"
 #include "core/expr/factored_form.hpp"
 #include "core/expr/polynomial.hpp"
+#include "core/expr/polynomial_gcd.hpp"
 #include "core/expr/trigonometry.hpp"
 
 namespace qdot {
@@ -87,6 +88,45 @@ Expression short_form(const Expression& e) {
   return best.form;
 }
 
+/// What a polynomial has to be divided by for no power in it to be negative.
+Monomial lowest_powers(const Polynomial& polynomial) {
+  Monomial lowest;
+  for (const auto& [monomial, coefficient] : polynomial) {
+    for (const Atom& atom : monomial) {
+      const int less = std::min(atom.p, 0) - exponent_of(lowest, atom.base);
+      if (atom.q == 1 && less < 0) lowest = times(lowest, atom.base, less);
+    }
+  }
+  return lowest;
+}
+
+/// What stands in front of each product of functions.
+void add_coefficients(const Graph& graph, const Polynomial& polynomial, std::vector<Polynomial>& found) {
+  const Monomial below = inverse(lowest_powers(polynomial));
+  std::map<Monomial, Polynomial, LeadingFirst> by_functions;
+  for (const auto& [monomial, coefficient] : polynomial) {
+    Monomial functions, symbols;
+    for (const Atom& atom : monomial* below)
+      (std::holds_alternative<Call>(graph.node(atom.base)) ? functions : symbols).push_back(atom);
+    add(by_functions[functions], symbols, coefficient);
+  }
+  for (auto& [functions, coefficient] : by_functions) found.push_back(std::move(coefficient));
+}
+
+/// A sum of symbols that divides both, as R - r does. None where that would take long to tell.
+std::optional<Polynomial> common_sum(const Graph& graph, const Polynomial& a, const Polynomial& b) {
+  constexpr std::size_t most_terms = 12;
+  std::vector<Polynomial> all;
+  add_coefficients(graph, a, all);
+  add_coefficients(graph, b, all);
+  std::ranges::stable_sort(all, {}, &Polynomial::size);
+  if (all.back().size() > most_terms) return std::nullopt;
+  Polynomial common = all[0];
+  for (auto next = all.begin() + 1; common.size() > 1 && next != all.end(); ++next)
+    common = greatest_common_divisor(common, *next);
+  return common.size() > 1 ? std::optional(common) : std::nullopt;
+}
+
 }  // namespace
 
 Expression simplify(const Expression& e) {
@@ -115,6 +155,10 @@ Expression simplify_quotient(const Expression& numerator, const Expression& deno
       above = *a;
       rest = *b;
     }
+  }
+  if (const auto sum = common_sum(graph, above, rest)) {
+    above = *exact_quotient(above, *sum);
+    rest = *exact_quotient(rest, *sum);
   }
   if (const auto whole = trigonometric_quotient(graph, above, rest))
     return simplify(to_expression(graph, *whole));

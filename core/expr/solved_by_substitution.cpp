@@ -10,7 +10,7 @@
 namespace qdot {
 namespace {
 
-/// Where an unknown stands alone but for numbers and symbols.
+/// Where an unknown stands alone, with nothing but numbers and symbols as its factor.
 struct Pivot {
   std::size_t row{}, column{};
 };

@@ -189,10 +189,10 @@ std::string reason(GaitSearch::Outcome outcome, const ParsedImpact& impact) {
              " is the one that closes the stride.";
     case GaitSearch::Outcome::nothing_recurs:
       return "No motion that repeats, and has no others like it beside it, was found from the starts that are "
-             "tried. Where all motions repeat, as of a ball that loses nothing, none is told.";
+             "tried. Where all motions repeat, as of a ball that loses nothing, none is listed.";
     case GaitSearch::Outcome::dies_away:
       return "From all starts that are tried the search ends at rest. Where all motions repeat, as of a ball that "
-             "loses nothing, none is told.";
+             "loses nothing, none is listed.";
     case GaitSearch::Outcome::no_impact:
       return "Motions that repeat after a given time were found, but none of them meets " + impact.event +
              " then.";

@@ -181,8 +181,8 @@ std::optional<Stride> SectionMap::first_stride(double haste, double rtol) {
   return stride_from(in_units(start), rtol);
 }
 
-/// An impact that keeps the place leaves the motion on the surface, but for the rounding of u: as far from it
-/// as that, it would meet the surface again at once.
+/// An impact that keeps the place leaves the motion on the surface up to the rounding of u. That far from it,
+/// the motion would meet the surface again at once.
 VectorXd SectionMap::on_surface(VectorXd after) {
   std::vector<double> out(impact_->surface.outputs());
   if (impact_->surface.evaluate(0, in_si(after), surface_workspace_, out) != Evaluation::ok) return after;

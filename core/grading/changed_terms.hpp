@@ -1,5 +1,7 @@
 #pragma once
-// The usual ways to get one term of a formula wrong.
+// The usual ways to get one term of a formula wrong, tried on the right formula: where a submitted one is the
+// right one with such a change, the student is told which slip it was (core/grading/slip_kind.hpp). In the
+// equation m l^2 theta'' + m g l sin(theta) = 0, sin(theta) becomes cos(theta), or l^2 becomes l.
 
 #include <optional>
 #include <span>

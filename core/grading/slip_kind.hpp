@@ -1,5 +1,5 @@
 #pragma once
-// The slips in formulas and equations that are told by name.
+// The slips in formulas and equations that have a name, which the student is given.
 
 namespace qdot {
 

@@ -65,6 +65,11 @@ class ApproachSearch {
   /// g has one sign before and after the piece, and no sign that is seen within it.
   void doubt(const Along& g, StepPolynomial& step);
 
+  /// There the run has ended in the step that was looked at last.
+  void forget_after(double t) {
+    std::erase_if(found_, [t](const Approach& approach) { return approach.is_hidden && approach.t > t; });
+  }
+
   /// g was zero `from` seconds after the step's beginning, and its condition has the value `value` there.
   void ask_condition(std::size_t event, StepPolynomial& step, double from, double value);
 

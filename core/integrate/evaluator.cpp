@@ -8,7 +8,7 @@
 namespace qdot {
 namespace {
 
-constexpr std::uint64_t poll_interval = 64;  // evaluations between two looks whether the answer is awaited
+constexpr std::uint64_t poll_interval = 64;  // evaluations; then it checks whether anyone waits
 
 bool finite(std::span<const double> values) {
   return std::ranges::all_of(values, [](double value) { return std::isfinite(value); });

@@ -43,7 +43,7 @@ EventSearch::UnitSeries EventSearch::unit_series(std::size_t event, const Motion
   // What was typed is known to more digits than t has.
   const double instants = request_.events[event].rounding_at_start ? 0 : 16;
   const double of_time = instants * of_values * (std::abs(piece.t) / piece.h) * std::abs(c[1]);
-  // At t_start itself the polynomial is g but for rounding, however far from it g may be later.
+  // At t_start itself the polynomial is g up to rounding, however far from it g may be later.
   const bool is_zero = is_zero_at_start(event);
   if (piece.t == request_.t_start && (is_zero || std::abs(c[0]) <= result.off + of_time)) {
     const double value = value_at_start(event, c[0]);
@@ -88,7 +88,7 @@ bool EventSearch::is_seen(const UnitSeries& series) {
   return series.is_finite() && size > of_doubt * series.off;
 }
 
-/// g is zero but for the round-off of its values, all along: looking closer shows no more.
+/// g is zero up to the round-off of its values, all along: looking closer shows no more.
 bool EventSearch::is_in_doubt(std::size_t event, const MotionPiece& piece, const UnitSeries& series) const {
   double size = 0;
   for (const double c : series.coefficients()) size += std::abs(c);

@@ -11,18 +11,18 @@ namespace qdot {
 namespace {
 
 constexpr double of_start = 64 * std::numeric_limits<double>::epsilon();  ///< of coordinates: their rounding
+constexpr double of_states = 1e-6;  ///< more than they are off by where anything is concluded from them
 constexpr std::size_t most_looks = 4000;
 constexpr std::size_t most_sharp_looks = 2000;  ///< in a run
 constexpr std::size_t looks_in_doubt = 200;     ///< once not everything was seen: the rest is worth less work
 constexpr std::size_t looks_of_change = 256;    ///< more for each change of sign: as many as a pole takes
 constexpr std::size_t most_looks_of_changes = 1'000'000;  ///< in a run
-constexpr std::size_t looks_between_questions = 64;       ///< whether the answer is still awaited
+constexpr std::size_t looks_between_questions = 64;       ///< whether anyone still waits for the answer
 constexpr double shortest_of_step = 0x1p-50;  ///< where rounding of states hides g, or a pole's place
 /// A sketch is this share of a step's change off at most.
 constexpr double rough = 0.125;
 
-// Zeros as near as this were found apart by round-off only.
-bool same_instant(double t, double later) { return later - t <= 16 * time_round_off(later); }
+bool same_instant(double t, double later) { return later - t <= one_instant * time_round_off(later); }
 
 }  // namespace
 
@@ -73,6 +73,7 @@ EventSearch::Found EventSearch::search(Stepper& stepper) {
     if (t) zeros.push_back({*t, crossing.event, crossing.hidden, crossing.untold});
   }
   if (!found.failure) report(stepper, std::move(zeros), found);
+  if (found.terminal) approaches_.forget_after(found.events.back().t);
   if (nowhere_from_ < (found.terminal ? found.events.back().t - polynomial_.whole().t : infinity))
     found.failure = Ending::nonfinite;
   if (!found.failure && !near_.empty()) look_for_approaches(stepper, found);
@@ -143,7 +144,7 @@ void EventSearch::walk(std::size_t event, std::vector<Crossed>& crossed) {
         direction == Crossing::either || (direction == Crossing::rising) == (piece.sign > 0);
     const bool leaves_start = signs_[event] == 0 && starts_at_zero_ && request_.events[event].counts_at_start;
     if (leaves_start && is_wanted) crossed.push_back({event, begin, begin});
-    // What has to hold, and is broken where it is told first, was zero at t_start or has met it since then.
+    // A condition that is broken where its sign is first known was zero at t_start or has met zero since.
     const bool is_broken = signs_[event] == 0 && request_.events[event].must_have_value;
     if (is_broken && is_wanted) crossed.push_back({event, begin, begin + piece.from});
     if (signs_[event] == -piece.sign && is_wanted) {
@@ -182,7 +183,7 @@ double EventSearch::hidden_before(std::size_t event, double t, int sign) const {
   return hidden > of_doubt * time_round_off(t) ? hidden : 0;
 }
 
-/// Between pieces of one sign g may be anything where it has none that is seen, but for a pole.
+/// Between two pieces of one sign rounding hides the sign of g, which may be either, except beside a pole.
 void EventSearch::doubt_hidden(std::size_t event, std::span<const Piece> pieces) {
   const Piece* before = nullptr;
   for (const Piece& piece : pieces) {
@@ -191,7 +192,7 @@ void EventSearch::doubt_hidden(std::size_t event, std::span<const Piece> pieces)
     const bool is_hidden = before != nullptr && before->sign == piece.sign && before->to < piece.from;
     if (is_hidden && !is_beside_start(event, piece.from) &&
         !keeps_sign(event, before->to, piece.from, piece.sign) &&
-        !is_pole_between(event, before->to, piece.from))
+        !is_away_from_zero(event, before->to, piece.from) && !is_pole_between(event, before->to, piece.from))
       approaches_.doubt({event, before->to, piece.from - before->to, piece.sign, {}, 0}, polynomial_);
     before = &piece;
   }
@@ -209,6 +210,21 @@ bool EventSearch::is_beside_start(std::size_t event, double from) {
   return true;
 }
 
+/// By its range over all states of the piece, as where it jumps and both sides are far from zero.
+bool EventSearch::is_away_from_zero(std::size_t event, double from, double to) {
+  if (!request_.events[event].range) return false;
+  const MotionPiece piece = polynomial_.piece(from, to - from);
+  const Interval s(0, piece.h);
+  std::vector<Interval> states;
+  for (std::size_t i = 0; i < piece.rows.size(); i += piece.order + 1) {
+    Interval y(0);
+    for (std::size_t k = piece.order + 1; k-- > 0;) y = y * s + Interval(piece.rows[i + k]);
+    const double off = of_states * std::abs(piece.rows[i]);
+    states.push_back(y + Interval(-off, off));
+  }
+  return !request_.events[event].range(Interval(piece.t) + s, states).contains(0.0);
+}
+
 /// As more digits tell.
 bool EventSearch::keeps_sign(std::size_t event, double from, double to, int sign) {
   std::vector<Piece> pieces;
@@ -224,7 +240,7 @@ bool EventSearch::takes_sign_at_start(std::size_t event) const {
   return function.sign_after_start == (function.direction == Crossing::rising ? 1 : -1);
 }
 
-/// Of pieces that are told, as far as they have been looked at.
+/// Of pieces whose sign is known, as far as they have been looked at.
 std::size_t EventSearch::changes_of_sign(std::span<const Piece> pieces) {
   for (; counted_ < pieces.size(); ++counted_) {
     const int sign = pieces[counted_].sign;

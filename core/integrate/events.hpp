@@ -37,6 +37,10 @@
 
 namespace qdot {
 
+/// Zeros as near as this, in units of time_round_off, were found apart by round-off only: they are one
+/// instant, the last of them.
+inline constexpr double one_instant = 16;
+
 /// How many occurrences one run reports at most; one more is an Error(too_large).
 inline constexpr std::size_t most_occurrences = 50'000;
 
@@ -96,6 +100,7 @@ class EventSearch {
   void doubt_hidden(std::size_t event, std::span<const Piece> pieces);
   void look_through_rounding(std::size_t event, double h, std::vector<Piece>& pieces);
   [[nodiscard]] bool is_beside_start(std::size_t event, double from);
+  [[nodiscard]] bool is_away_from_zero(std::size_t event, double from, double to);
   [[nodiscard]] bool keeps_sign(std::size_t event, double from, double to, int sign);
   [[nodiscard]] bool is_pole_between(std::size_t event, double from, double to);
   [[nodiscard]] const std::vector<double>& state_at_begin();

@@ -1,5 +1,5 @@
 #pragma once
-// The first step of a run.
+// The length of the first step of a run, found from the equations alone.
 
 #include <optional>
 #include <span>

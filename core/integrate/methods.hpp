@@ -12,13 +12,14 @@ namespace qdot {
 
 /// - taylor: Taylor series of order 16 or 20. It takes the fewest and longest steps, its polynomial is the
 ///   dense output, and it keeps round-off low.
-/// - adams: CVODE, order 1 to 12, with the fewest evaluations of the three of SUNDIALS.
-/// - bdf: CVODE, order 1 to 5, for stiff systems (strong damping).
-/// - erk: ARKODE, order 8, the fastest of these three on small oscillating systems.
+/// - erk: ARKODE, order 8, the fastest of the three of SUNDIALS on small oscillating systems.
 ///   A row of the grid costs it 12 evaluations, and watching events about 10 a step.
+/// - adams: CVODE, order 1 to 12, with the fewest evaluations of these three.
+/// - bdf: CVODE, order 1 to 5, for stiff systems (strong damping).
 /// - gauss: implicit Gauss collocation of order 6 with a fixed step.
 ///   It is symplectic in canonical variables, so that energy errors stay bounded however long the motion.
-enum class Method { adams, bdf, erk, taylor, gauss };
+/// The best is the first, and what a request gets that chooses none.
+enum class Method { taylor, erk, adams, bdf, gauss };
 
 struct MethodRecord {
   Method method{};

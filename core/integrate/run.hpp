@@ -12,6 +12,7 @@
 #include "core/integrate/approach.hpp"
 #include "core/numerics/crossing.hpp"
 #include "core/numerics/evaluation.hpp"
+#include "core/numerics/interval.hpp"
 #include "core/numerics/pairs.hpp"
 #include "core/numerics/sign_search.hpp"
 
@@ -75,7 +76,7 @@ struct SharpLook {
   bool is_of_slope{};
 };
 
-/// A zero of g(t, y): a change of sign, found to round-off of t. What counts as one is told in events.hpp.
+/// A zero of g(t, y): a change of sign, found to round-off of t. events.hpp says what counts as one.
 struct EventFunction {
   std::function<double(double t, std::span<const double> y)> value{};
   /// g along a piece of a motion: `order` + 1 coefficients of a polynomial in s, order <= largest_degree
@@ -84,6 +85,8 @@ struct EventFunction {
   std::function<double(const MotionPiece& piece, unsigned order, std::span<double> coefficients)> series{};
   /// What values of g at a state may be rounded by. Optional.
   std::function<double(double t, std::span<const double> y)> rounding{};
+  /// Over a box of times and states; the whole line where there may be no value. Optional.
+  std::function<Interval(const Interval& t, std::span<const Interval> y)> range{};
   /// In more digits than those of values; asked where these tell nothing. Optional; nothing where it does
   /// not know more, either.
   std::function<std::vector<SignPiece>(const SharpLook& look)> sharp_signs{};
@@ -109,8 +112,8 @@ struct Tolerances {
   double atol{1e-12};
 };
 
-/// Bounds on the work, the same on every machine. Every 64 evaluations a run also looks whether its answer is
-/// still awaited (core/base/work.hpp).
+/// Bounds on the work, the same on every machine. Every 64 evaluations a run also checks whether anyone still
+/// waits for its answer (core/base/work.hpp).
 struct Limits {
   std::uint64_t max_steps{250'000};
   std::uint64_t max_evaluations{12'000'000};  ///< of f and of its Jacobian together
@@ -142,7 +145,7 @@ struct RunRequest {
   std::vector<EventFunction> events{};
   /// Asked after each step that has reached rows, with the first of them and them: whether the run goes on.
   std::function<bool(std::size_t first, std::span<const double> rows)> goes_on{};
-  Method method{};
+  Method method{};          ///< the first of them, taylor, which a system without an expansion refuses
   unsigned taylor_order{};  ///< 0: by the tolerance
   /// Others are measured by this run: steps of taylor are bounded closer, and Run::unseen counts all that
   /// they may be off by.
@@ -167,7 +170,7 @@ enum class Ending {
   blow_up,         ///< |y| beyond max_magnitude, or a singularity reached in t's last digits (progress.hpp)
   no_convergence,  ///< gauss: no solution found for the equations of a step; h is too long at this place
   given_up,        ///< RunRequest::goes_on said no
-  undetermined     ///< how the motion goes on is not told: at a kink, or by coefficients in doubles
+  undetermined     ///< nothing decides how the motion goes on: at a kink, or from coefficients in doubles
 };
 
 /// As asked for, or at a terminal event.
@@ -179,8 +182,8 @@ struct EventOccurrence {
   std::size_t event{};  ///< index into RunRequest::events
   double t{};
   std::vector<double> y{};
-  double hidden{};  ///< no crossing: for so many seconds up to there rounding hid the sign of g
-  double untold{};  ///< around a crossing: for so many seconds signs were not told
+  double hidden{};  ///< no crossing: for this many seconds up to t rounding hid the sign of g
+  double untold{};  ///< around a crossing: for this many seconds the signs were not known
 };
 
 struct Run {
@@ -207,7 +210,7 @@ struct Run {
   /// the larger of both ends of the step that it lies in (rows x dimension).
   std::vector<double> apart{}, apart_by_rounding{};
   Apart apart_at_end{};                ///< where the run ended
-  std::vector<Approach> approaches{};  ///< to events, in order of time but for those of one step
+  std::vector<Approach> approaches{};  ///< to events, in order of time, those of one step in any order
   /// The strict sign that each event's function had last, before the instant in which the run ended; 0: none.
   std::vector<int> signs{};
   std::vector<double> untold{};  ///< for each event the seconds up to the end in which that was not seen

@@ -97,8 +97,8 @@ void Separation::release_what_is_pushed() {
   }
 }
 
-/// What a whole step has made has no time to grow in it, but for some. In a part it may have been made where
-/// that begins.
+/// What a whole step has added has hardly any time left to grow within it. Of a part of a step, all may have
+/// been added where the part begins.
 void Separation::advance(const MotionPiece& piece, const StepTerms& terms, const Part& part) {
   const bool is_whole = part.from == 0 && part.to == 1;
   before_ = e_;

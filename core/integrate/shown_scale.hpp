@@ -6,8 +6,8 @@
 //
 //   a(y - r F e) - a(y) = r (a(y - F e) - a(y)),
 //
-// but for little. F is the smallest of those tried with which most components do so: of more, forces are not
-// linear any more. A sample of two places, and no bound.
+// very nearly. F is the smallest of those tried with which most components do so: with a larger one forces
+// would not be linear any more. This is a sample of two places, and no bound.
 
 #include <span>
 #include <vector>

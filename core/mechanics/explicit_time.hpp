@@ -1,7 +1,7 @@
 #pragma once
 // Lagrangians that contain the time only by a total derivative: L and L - dF/dt have the same equations of
 // motion for every F(q, t) (Landau and Lifshitz, Mechanics, 3rd ed., section 2). In a car that accelerates,
-// m l a t phi' cos(phi) is -m l a sin(phi) but for d/dt(m l a t sin(phi)): a pendulum there has a potential.
+// m l a t phi' cos(phi) is d/dt(m l a t sin(phi)) - m l a sin(phi): a pendulum there has a potential.
 
 #include <optional>
 #include <span>

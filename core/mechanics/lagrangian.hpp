@@ -48,7 +48,7 @@ struct Lagrangian {
 
 /// e in short form; where it mixes degrees in the velocities, each part by itself: T2 + T1 + T0.
 [[nodiscard]] Expression simplify_by_degree(const Expression& e, const Symbols& symbols);
-/// The same, but for terms without velocities that are kept as they are written (kept_terms.hpp).
+/// The same, with terms without velocities kept as they are written (kept_terms.hpp).
 [[nodiscard]] Expression shortened_by_degree(const Expression& e, const Symbols& symbols);
 
 /// p_i = dL/dq_i'.

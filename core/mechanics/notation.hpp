@@ -1,5 +1,6 @@
 #pragma once
-// How a scene's symbols are written.
+// How a scene's symbols are written in formulas: the names of parameters, inputs and coordinates, and their
+// LaTeX where the scene gives it.
 
 #include "core/expr/print/notation.hpp"
 #include "core/mechanics/scene.hpp"

@@ -24,7 +24,7 @@ constexpr double safety_of_unseen = 16;
 constexpr double largest_ratio = 0.99;
 
 constexpr double roundings = 64;     ///< of the distance: what the search for events may not see
-constexpr double poorly_seen = 1e4;  ///< of them: so low a flight has no duration that is told
+constexpr double poorly_seen = 1e4;  ///< of them: the duration of so low a flight is unknown
 constexpr std::size_t hidden_in_a_row = 16;
 
 /// On the cubic from y with velocities y' to the later state, half-way.
@@ -183,6 +183,7 @@ double lowest_flight(const Watch& watch, const SectionRecord& longest, std::span
   for (std::size_t i = 0; i < earlier.size(); ++i) earlier[i] -= tau * slopes[i];
   const double fall = watch.value(longest.t - tau, earlier) - watch.value(longest.t, longest.before);
   const double height = std::abs(fall) / tau * longest.duration / 4;
+  if (!(height > 0)) return 0;  // it took another impact's flight
   return longest.duration * std::sqrt(watch.rounding(last.t, last.before) / height);
 }
 

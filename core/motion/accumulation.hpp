@@ -30,7 +30,7 @@ struct RestOfImpacts {
 /// the longest one's height.
 [[nodiscard]] double doubt_of_lost(std::span<const SectionRecord> sections, double lowest_flight);
 
-/// Whether the distance is what it was at that impact but for its rounding, at (t, y) and half-way to there.
+/// Whether the distance, up to its rounding, is what it was at that impact, at (t, y) and half-way to there.
 [[nodiscard]] bool is_hidden_since(const Watch& watch, const SectionRecord& impact, double t,
                                    const std::vector<double>& y);
 
@@ -44,7 +44,8 @@ struct RestOfImpacts {
 [[nodiscard]] const SectionRecord& last_seen(const Watch& watch, std::span<const SectionRecord> sections);
 
 /// The duration of a flight that is as high as the distance is rounded where the last section ended. Heights
-/// go with d^2: that of the longest is v d/4, with the speed that `slopes`, y' at its end, tell.
+/// go with d^2: that of the longest is v d/4, with the speed that `slopes`, y' at its end, tell. 0 where the
+/// distance does not fall in it.
 [[nodiscard]] double lowest_flight(const Watch& watch, const SectionRecord& longest,
                                    std::span<const double> slopes, const SectionRecord& last);
 

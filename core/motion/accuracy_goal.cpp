@@ -14,7 +14,7 @@ constexpr double aim = 0.2;  ///< of the wanted error, when the next tolerance i
 constexpr double far_below = 0.02, loosest_of_wanted = 0.1;
 constexpr double next_to_digits = 2 * near_round_off;  ///< the check of a tighter run takes double-doubles
 /// Times the work of a loose run and its check: that of a check in double-doubles.
-constexpr double dear = 12;
+constexpr double work_of_digits = 12;
 
 Tolerances with_rtol(double rtol) { return {rtol, rtol * 1e-3}; }
 
@@ -49,7 +49,7 @@ std::optional<Tolerances> tolerances_for_work(const Tolerances& now, std::uint64
   if (growth < 1) return std::nullopt;
   const double factor = evaluate(Function::exp, -15 * evaluate(Function::log, growth));
   // Near round-off a check takes double-doubles, and several times the work.
-  const double least = growth < dear ? 100 * near_round_off : tightest_tolerance;
+  const double least = growth < work_of_digits ? 100 * near_round_off : tightest_tolerance;
   if (now.rtol <= least) return std::nullopt;
   return with_rtol(std::clamp(now.rtol * factor, least, std::max(least, now.rtol * 0.1)));
 }

@@ -15,6 +15,11 @@ inline constexpr const char* may_not_stop =
     "error.";
 inline constexpr const char* may_reach_end =
     "By the error of the time at which it stops, the motion may come to its end before it.";
+inline std::string may_fail_before(const std::string& conditions) {
+  return "Within the error of the time at which the motion stops these conditions may fail, too, and before the one "
+         "that is told: " +
+         conditions + ".";
+}
 inline constexpr const char* may_go_otherwise =
     ": it may go on otherwise from there, and the errors stated are of both ways.";
 inline constexpr const char* may_go_anywhere =

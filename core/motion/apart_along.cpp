@@ -59,7 +59,7 @@ std::vector<double> soon(const SectionEnd& end, double tau) {
 }
 
 /// Where the other meets the event far from there or never, as one of two bodies that rest beside each other
-/// but for rounding: either it goes on without the impact, or it meets it with another speed g',
+/// up to rounding: either it goes on without the impact, or it meets it with another speed g',
 ///
 ///   |e_after| <= of_places |e| + |y_after - y_before| (2 + sqrt(g'^2 + 2 |g''| |g(other) - g|)/|g'|),
 ///

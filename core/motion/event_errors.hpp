@@ -55,7 +55,7 @@ class EventErrors {
   struct Place {
     StatesBeside states;
     double own_time{};  ///< in which the motion goes through one of its components
-    double untold{};    ///< in which signs were not told
+    double untold{};    ///< in which signs were not known
     bool cancels{};     ///< terms of the function change by more than it does
   };
   struct Time {

@@ -95,7 +95,7 @@ double Fork::value(double t, std::span<const double> y) const {
   return approach_.enclosure(t, std::vector<Interval>(y.begin(), y.end())).middle();
 }
 
-/// Of the motion that is told of.
+/// Of the motion that the approach stands for.
 std::vector<double> Fork::state_at(double s) const {
   std::vector<double> y = place_.state_at(s);
   for (std::size_t k = 0; k < y.size(); ++k) y[k] += beside_[k];

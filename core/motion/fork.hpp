@@ -1,13 +1,24 @@
 #pragma once
 // A place where a motion may do otherwise than its computations: where it comes as near to a kink, an impact
-// or the end of its validity as its error is, or has met one and would, but for its error, have missed it.
-// The other way begins a little before that place, moved within about twice the error to the side that takes
-// it there:
+// or the end of its validity as its error is, or has met one and would have missed it with a small change
+// within that error.
 //
-//   y_k += lambda e_k sign(dg/dy_k),   g + lambda sum_k |dg/dy_k| e_k = -+ delta,
+// g(t, y) is what vanishes there: the kink's argument, the distance of an impact, what must stay positive.
+// The motion has y = (q, q'), 2n numbers in the scene's units, at the instant t at which g turns back, and
+// component k may be off by e_k >= 0: the error that is stated for it before the place, with the rounding of
+// y_k and of t. In all those states, by interval arithmetic, g differs from g(t, y) by at most
 //
-// with g where the motion turns, and delta what it may be off by in all states within e, by interval
-// arithmetic.
+//   delta = max |g(t, z) - g(t, y)|   over   |z_k - y_k| <= e_k,
+//
+// and where that has no bound, delta is twice the first order, 2 R with R = sum_k |dg/dy_k| e_k. The other
+// way turns back on the other side of g = 0, s = +1 or -1; it is open where -s g <= delta. It begins a little
+// before the place, moved there, to first order, so that g reaches w where it turns:
+//
+//   y_k += lambda e_k sign(dg/dy_k),   lambda = (w - g)/R,   w = s max(delta, s g),
+//
+// so that |lambda| is about 2 at most. w is made larger where rounding would hide it. Whether a way is open
+// rests on delta, which is as good as the e_k, and those are estimates; the slopes, by central differences,
+// only aim.
 
 #include <optional>
 #include <vector>
@@ -21,16 +32,17 @@ class Fork {
   /// Keeps references to both.
   Fork(const ComputedMotion& motion, const ApproachAsTold& approach);
 
-  /// Whether the errors allow another way, there or where others are that it stands for.
+  /// Whether the errors allow another way, at this place or at one of the others that it stands for.
   [[nodiscard]] bool is_open() const;
-  /// Whether what its function may be there has a bound.
+  /// Whether delta is a bound, and not the first order.
   [[nodiscard]] bool is_bounded() const { return is_bounded_; }
   /// A jump of forces that is over before it has moved the motion as far as it may be off anyway.
   [[nodiscard]] bool is_negligible() const;
 
   /// When the other way begins.
   [[nodiscard]] double begin() const;
-  /// The state there; none where it is not before the event that it is to meet, or not a state at all.
+  /// The state at `t`, which is begin(): 2n numbers. None where it is not before the event that it is to
+  /// meet, or cannot be put on the constraints.
   [[nodiscard]] std::optional<std::vector<double>> start(double t) const;
 
  private:

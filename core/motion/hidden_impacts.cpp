@@ -144,6 +144,7 @@ std::vector<EventDoubt> impacts_hidden_at_end(const ComputedMotion& motion) {
   const bool accumulate = simulation.stop && simulation.stop->reason == impacts_accumulate;
   if (simulation.sections.empty() || accumulate) return {};
   const SectionRecord& last = simulation.sections.back();
+  if (last.t == simulation.t) return {};
   const std::vector<Watch> all = watches_of_impacts(motion);
   std::vector<EventDoubt> doubts;
   for (const std::size_t number : last.impacts) {
@@ -173,7 +174,14 @@ std::vector<EventDoubt> events_at_end(const ComputedMotion& motion, std::span<co
                                                           .events = motion.request.events,
                                                           .on_invalid = OnInvalid::go_on,
                                                           .impacts = Impacts::ignore});
-  std::erase_if(reported, [](const Watch& watch) { return watch.kind != Watch::Kind::event; });
+  const auto is_met_there = [&](const std::string& name) {
+    return std::ranges::any_of(simulation.events, [&](const EventRecord& event) {
+      return event.name == name && event.t == simulation.t;
+    });
+  };
+  std::erase_if(reported, [&](const Watch& watch) {
+    return watch.kind != Watch::Kind::event || is_met_there(watch.name);
+  });
   return near_zero_at_end(motion, errors, reported);
 }
 

@@ -10,8 +10,8 @@
 
 namespace qdot {
 
-/// Adds what such an impact changes to `check.unseen`: at rows, which are those of motion.event_rows, up to
-/// which the distance is zero but for rounding since the impact before, and that fall.
+/// Adds what such an impact changes to `check.unseen`, at those rows of motion.event_rows that fall and up to
+/// which the distance has been zero, up to rounding, since the impact before.
 void add_hidden_impacts(const ComputedMotion& motion, Simulation& check);
 
 /// Impacts that may happen where the motion ends, as far as these errors of its state tell.

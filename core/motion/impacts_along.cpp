@@ -78,7 +78,7 @@ double ImpactsAlong::unseen_flights(std::size_t impact, const SectionRecord& see
   return flights.duration(watch, seen, {rate, hidden && *e == 1 ? 0 : *e});
 }
 
-/// Whether the impact has left its distance no rate but for rounding, and the forces lead behind the surface.
+/// Whether the impact has left its distance no rate beyond rounding, and the forces lead behind the surface.
 bool ImpactsAlong::is_pressed_on(std::size_t impact, const SectionRecord& last,
                                  const EventSides& sides) const {
   const Watch& watch = watches()[impact];

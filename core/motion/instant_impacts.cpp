@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "core/base/error.hpp"
+#include "core/base/short_number.hpp"
 #include "core/mechanics/restitution.hpp"
 
 namespace qdot {
@@ -51,10 +52,10 @@ InstantImpacts::InstantImpacts(const Dynamics& dynamics, std::span<const double>
     : parameters_(parameters), resolution_(resolution) {
   for (const ParsedImpact& impact : dynamics.model().parsed.impacts) {
     Rule& rule = rules_.emplace_back();
+    rule.event = impact.event;
     rule.map = impact_map(dynamics.model(), impact);
     rule.after = dynamics.columns(rule.map.components);
     if (!impact.has_restitution()) continue;
-    rule.event = impact.event;
     rule.restitution = restitution_of(impact, dynamics.model().parsed, parameters);
     rule.enclosed_after = std::make_unique<TapeEvaluator<Ball>>(*rule.after, exact(parameters));
     rule.approach =
@@ -171,8 +172,7 @@ void InstantImpacts::apply(std::size_t impact, double t, Passed& passed) const {
 void InstantImpacts::change(std::size_t impact, double t, std::vector<double>& y,
                             std::vector<double>* rounding) const {
   const Rule& rule = rules_[impact];
-  if (!rule.enclosed_after)
-    return rule.map.assign(values_at(*rule.after, rule.map.components, parameters_, t, y), y);
+  if (!rule.enclosed_after) return rule.map.assign(values_of(rule, t, y), y);
   const Told told = told_after(rule, t, y);
   for (std::size_t i = 0; rounding != nullptr && i < told.off.size(); ++i) {
     const std::size_t place = rule.map.places[i];
@@ -181,6 +181,17 @@ void InstantImpacts::change(std::size_t impact, double t, std::vector<double>& y
     (*rounding)[place] += told.off[i];
   }
   rule.map.assign(told.values, y);
+}
+
+std::vector<double> InstantImpacts::values_of(const Rule& rule, double t,
+                                              const std::vector<double>& y) const {
+  std::vector<double> values(rule.map.components.size());
+  Workspace workspace = rule.after->bind(parameters_);
+  if (rule.after->evaluate(t, y, workspace, values) != Evaluation::ok)
+    throw Error(ErrorCode::not_applicable, "Where '" + rule.event +
+                                               "' happens, at t = " + short_number(t, 6) +
+                                               ", the impact's map has no finite value.");
+  return values;
 }
 
 /// Near a multiple root the distance has a slope that is hardly more than the rounding of doubles, and at it

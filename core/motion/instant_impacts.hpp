@@ -2,10 +2,10 @@
 // What impacts of one instant do to a state: one after the other, in the order in which the scene has them.
 //
 // One may start the next: of three balls in a row the second, hit by the first, hits the third. So after
-// each, an impact with restitution follows in the same instant where its distance is zero but for rounding
+// each, an impact with restitution follows in the same instant where its distance is zero up to rounding
 // and falls; the first such in order, until none falls any more. What comes out may depend on the order, as
 // it does in nature on what gives way first (Newton's cradle). Where several events happen in one instant the
-// true motion may have any order, of which it is told whether that matters. Source: D. E. Stewart, Rigid-body
+// true motion may have any order, and the answer says whether that matters. Source: D. E. Stewart, Rigid-body
 // dynamics with friction and impact, SIAM Review 42 (2000): several contacts.
 
 #include <memory>
@@ -91,6 +91,7 @@ class InstantImpacts {
   struct Told {
     std::vector<double> values, off;
   };
+  [[nodiscard]] std::vector<double> values_of(const Rule& rule, double t, const std::vector<double>& y) const;
   [[nodiscard]] Told told_after(const Rule& rule, double t, const std::vector<double>& y) const;
 
   std::span<const double> parameters_;

@@ -3,7 +3,7 @@
 //
 // A conserved C has one value along an exact motion. Along rows that are within e_k of one, in component k,
 //
-//   |C(y_i) - C(y_0)|  <=  sum_k |dC/dy_k| e_k  at row i, and the same at the start, but for round-off
+//   |C(y_i) - C(y_0)|  <=  sum_k |dC/dy_k| e_k  at row i, and the same at the start, and round-off
 //
 // to first order. Rows that go beyond contradict their errors: a particle that has crossed a wall without
 // the energy for it, say. Twice the sum is allowed for what is of second order.

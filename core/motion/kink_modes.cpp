@@ -10,7 +10,8 @@ namespace {
 
 constexpr std::size_t most_at_once = 4;  ///< kinks, whose combinations are tried
 constexpr double round_off = 8 * std::numeric_limits<double>::epsilon();
-constexpr double far = 1e-6;         ///< of the numbers that make it up: no rounding error of u
+constexpr double far = 1e-6;  ///< of the numbers that make it up: no rounding error of u
+constexpr double some_instants = 16;
 constexpr double same_rates = 1e-9;  ///< of two ways that are one
 constexpr double full_side = 1 + 1e-12;
 
@@ -74,7 +75,8 @@ std::optional<KinkModes::Way> KinkModes::way_on(double t, std::span<const double
     if (typed) typed_sides_[k] = motions_.argument_sign(k, sides, *typed);
     if (typed_sides_[k] != 0) sides[k] = typed_sides_[k];
     const double zero = met[k] ? std::max(far * size, far) : round_off * size;
-    if (!(std::abs(of_kink[0]) <= zero) && motions_.is_told(sides, k, t, y)) continue;
+    const bool is_at_zero = std::abs(of_kink[0]) <= zero || (met[k] && passes_now(sides, k, t, y));
+    if (!is_at_zero && motions_.is_told(sides, k, t, y)) continue;
     if (typed_sides_[k] == 0) active_.push_back(k);
     needs_digits = needs_digits || typed_sides_[k] != 0;
   }
@@ -93,6 +95,15 @@ std::optional<KinkModes::Way> KinkModes::way_on(double t, std::span<const double
     if (is_slow && motions_.is_gradient_told(way.sides, k)) way.begins.push_back(k);
   }
   return way;
+}
+
+/// Within what rounds the time: of a fast motion u is not small there.
+bool KinkModes::passes_now(const Sides& sides, std::size_t kink, double t, std::span<const double> y) {
+  motions_.look_from(t, y);
+  const SidedMotions::Series& series = motions_.series(sides);
+  if (!series) return false;
+  const std::vector<double>& u = (*series)[kink];
+  return std::abs(u[0]) <= some_instants * motions_.resolution() * std::abs(u[1]);
 }
 
 std::vector<double> KinkModes::doubt_of_begin(const Way& way) {

@@ -34,8 +34,8 @@ class KinkModes {
   };
   /// The next way on is from there.
   void begin_at(SidedMotions::Typed place) { typed_ = std::move(place); }
-  /// The way on from (t, y). `met`: kinks that count as u = 0, beside those where u is zero but for
-  /// round-off; they are none any more where u is far from it. None where it is undetermined.
+  /// The way on from (t, y). `met`: kinks that count as u = 0, beside those where u is zero up to
+  /// round-off; where u is far from zero they do not count. None where it is undetermined.
   [[nodiscard]] std::optional<Way> way_on(double t, std::span<const double> y, const std::vector<bool>& met);
   /// What y may be off by soon after that way has begun there, as its kinks are zero for a while in these
   /// digits; empty where it is nothing.
@@ -43,7 +43,7 @@ class KinkModes {
   /// The same behind a time in which the kink's side was hidden, `hidden` seconds up to (t, y).
   [[nodiscard]] std::vector<double> doubt_behind(const Sides& sides, std::size_t kink, double hidden,
                                                  double t, std::span<const double> y);
-  /// y, which is there but for a rounding error, on the kinks on which the way begins.
+  /// Moves y, which is there up to a rounding error, onto the kinks on which the way begins.
   void settle(const Way& way, double t, std::vector<double>& y);
 
   /// The sides on which (t, y) is; kinks count as their sides u > 0.
@@ -73,6 +73,7 @@ class KinkModes {
   [[nodiscard]] std::optional<Lead> lead(const Sides& sides, std::size_t kink);
   [[nodiscard]] bool attracts(Sides sides, std::size_t kink);
   [[nodiscard]] Verdict judge(const Sides& sides);
+  [[nodiscard]] bool passes_now(const Sides& sides, std::size_t kink, double t, std::span<const double> y);
   [[nodiscard]] Sides completed(Sides sides, double t, std::span<const double> y);
   void put_on(std::size_t kink, const Sides& sides, double t, std::vector<double>& y);
   [[nodiscard]] std::optional<Sides> only_way();
@@ -81,7 +82,7 @@ class KinkModes {
   SidedMotions motions_;
   std::optional<SidedMotions::Typed> typed_;  ///< where the next way begins
   std::optional<SidedMotions::Typed> begun_;  ///< where the last one began
-  std::vector<int> typed_sides_;     ///< of kinks at which the place is but for what was typed; 0: the others
+  std::vector<int> typed_sides_;     ///< of kinks that only the typed digits tell from the place; else 0
   std::vector<std::size_t> active_;  ///< the kinks at which the place is that is looked at
 };
 

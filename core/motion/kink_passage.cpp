@@ -25,6 +25,7 @@ bool is_hardly_crossed(double c0, double c1, double c2) { return std::abs(4 * c0
 
 /// A zero of c0 + c1 s + c2 s^2 next to 0; far away where it is hardly crossed.
 double zero_beside(double c0, double c1, double c2) {
+  if (c1 == 0 && c2 == 0) return std::numeric_limits<double>::infinity();
   if (is_hardly_crossed(c0, c1, c2)) return std::sqrt(std::abs(c0 / c2)) / hardly;
   return -2 * c0 / (c1 + std::copysign(std::sqrt(c1 * c1 - 4 * c0 * c2), c1));
 }
@@ -59,7 +60,7 @@ class Passing {
       Sides next = now;
       next[kink] = after_[kink];
       ahead_.erase(first);
-      if (vanishes(kink, now)) {
+      if (vanishes(kink, now) || std::isinf(s)) {
         if (!motions_.series(next)) return passage;
         now = std::move(next);
         continue;
@@ -166,7 +167,8 @@ class Passing {
   }
 
   /// Whether an argument vanishes altogether, as that of ||x| - x| does where x > 0: it has any side there,
-  /// and no instant.
+  /// and no instant. Nor has one that stays what it is, such as a multiple of one on whose kink the motion
+  /// is.
   bool vanishes(std::size_t kink, const Sides& sides) {
     const std::size_t row = 2 + motions_.y().size();
     const std::vector<double> places = motions_.geometry(sides, motions_.t(), motions_.y());

@@ -6,6 +6,7 @@
 
 #include "core/integrate/methods.hpp"
 #include "core/motion/accuracy_reasons.hpp"
+#include "core/motion/conditions_at_stop.hpp"
 #include "core/motion/error_growth.hpp"
 #include "core/motion/hidden_impacts.hpp"
 #include "core/motion/rounded_events.hpp"
@@ -233,11 +234,20 @@ void Measurement::state(const std::vector<Simulation>& others) {
   result_.events_in_doubt.add(events_at_end(motion(), result_.max_abs_error));
   if (result_.simulation.stop && !result_.stop_error && result_.reason.empty())
     result_.reason = accuracy_reasons::may_not_stop;
+  note_other_conditions();
   if (result_.reason.empty() && may_reach_end()) result_.reason = accuracy_reasons::may_reach_end;
   if (result_.reason.empty() && std::ranges::max(result_.max_abs_error) > without_bound)
     result_.reason = accuracy_reasons::forces_are_rounding;
   contradicts_ = !comparison.changed.empty();
   if (contradicts_) result_.reason = accuracy_reasons::contradiction(comparison.changed);
+}
+
+void Measurement::note_other_conditions() {
+  if (!result_.stop_error) return;
+  const OtherConditions others = other_conditions_at_stop(motion(), *result_.stop_error);
+  if (others.names.empty()) return;
+  result_.stop_error->time = others.time;
+  if (result_.reason.empty()) result_.reason = accuracy_reasons::may_fail_before(others.names);
 }
 
 bool Measurement::may_reach_end() const {

@@ -54,6 +54,7 @@ class Measurement {
   void state(const std::vector<Simulation>& others);
   [[nodiscard]] bool may_reach_end() const;
   void note_impacts_at_end();
+  void note_other_conditions();
   [[nodiscard]] RowComparison with_other_ways(const RowComparison& without, std::vector<Simulation> others,
                                               OtherWays ways);
   [[nodiscard]] std::vector<double> wanted() const;

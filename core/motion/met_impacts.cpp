@@ -71,7 +71,7 @@ bool MetImpacts::ends_in_instant(const SectionRecord& impact) {
   return motion_.result.stop.has_value();
 }
 
-/// All impacts of this instant. Those that others have started are told as events here.
+/// All impacts of this instant. Those that others have started become events here.
 InstantImpacts::Passed MetImpacts::pass_instant() {
   InstantImpacts::Passed passed = impacts_.pass(motion_.result.t, motion_.result.y, motion_.sides);
   std::vector<bool> told(impacts_.watches().size());

@@ -223,7 +223,7 @@ ApproachRecord MotionSections::approach(Approach place, double begun) const {
   const auto u = enclosure_of(record.stays ? functions->holds[kink] : functions->arguments[kink],
                               modes_->parameters(way_.sides));
   const Interval factor = way_.sides[kink] < 0 ? -1 : 1;  // as in kink_ends.cpp
-  record.enclosure = [=](double t, std::span<const Interval> y) { return factor * u(t, y); };
+  record.enclosure = [=](const Interval& t, std::span<const Interval> y) { return factor * u(t, y); };
   return record;
 }
 

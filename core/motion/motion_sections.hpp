@@ -24,7 +24,7 @@ class MotionSections {
   [[nodiscard]] bool begin(double t, std::vector<double>& y);
   /// The section has ended at (t, y), where it `met` these kinks.
   [[nodiscard]] bool pass(double t, std::vector<double>& y, const std::vector<bool>& met);
-  /// What y may be off by at (t, y) for a kink whose side was hidden so many seconds up to there.
+  /// What y may be off by at (t, y) for a kink whose side was hidden for this many seconds before.
   [[nodiscard]] std::vector<double> doubt_behind(std::size_t kink, double hidden, double t,
                                                  std::span<const double> y) {
     return modes_->doubt_behind(way_.sides, kink, hidden, t, y);
@@ -62,7 +62,7 @@ class MotionSections {
   [[nodiscard]] bool is_instant_hidden() const { return is_instant_hidden_; }
   /// By how many it has moved it, which is taken back in the state there.
   [[nodiscard]] double moved_instant() const { return moved_instant_; }
-  /// What each component may be off by soon after the motion has begun, beside a kink whose side is not told
+  /// What each component may be off by soon after the motion has begun, beside a kink whose side is not known
   /// at once; empty where nothing is in doubt.
   [[nodiscard]] const std::vector<double>& doubt_of_begin() const { return doubt_of_begin_; }
 

@@ -32,7 +32,7 @@ struct RunningMotion {
   Simulation result;  ///< so far; the motion is at its t and y
   bool is_determined{true};
 
-  /// All computations may be off by that from here on, beside a kink whose side is not told.
+  /// All computations may be off by that from here on, beside a kink whose side is not known.
   void doubt_kinks(std::span<const double> off);
   /// From here on there are more ways than two orders.
   void note_unclear();

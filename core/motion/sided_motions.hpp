@@ -1,6 +1,19 @@
 #pragma once
-// The motions that equations with kinks u = 0 have, one for each choice of sides, seen from one place: each
-// is smooth, and it and the kinks' u along it have series there.
+// The motions that equations with kinks u_j = 0 have, one for each choice of sides, seen from one place.
+//
+// Equations that contain |u_j| or sign(u_j) are smooth once each sign is a number s_j: 1 or -1 on a side of
+// the kink and, where the motion stays on it, the s_j between them that keeps u_j = 0 (the equivalent side of
+// core/dynamics/motion_builder.hpp). With its sides chosen, a motion and each u_j along it have series about
+// the place (t, y), with y = (q, q') of 2n components, times in s, and u_j in the unit it has in the scene:
+//
+//   y_i(t + tau) = sum_k y_ik tau^k,   u_j(t + tau) = sum_k u_jk tau^k,   0 <= k <= order.
+//
+// They are used for so short a tau that their last two terms are below the rounding of the sum; what is cut
+// off is taken to be smaller still, which is an estimate. "Told" is said of a sign that rounding cannot
+// change: 0 lies outside of an interval, or of a ball with twice the digits of a double. A sign that is not
+// told counts as 0.
+//
+// Source: Filippov, Differential Equations with Discontinuous Righthand Sides (1988), section 4.
 
 #include <map>
 #include <memory>
@@ -21,11 +34,11 @@ using Sides = std::vector<int>;
 
 class SidedMotions {
  public:
-  /// Of the series of y = (q, q') and of u.
+  /// Of the series of y and of u_j.
   static constexpr unsigned order = 8;
 
-  /// `resolution`: what happens in so short a time is not told apart. Keeps the reference; the model has
-  /// kinks.
+  /// `resolution` [s]: what happens within so short a time counts as one instant. Keeps the reference; the
+  /// model has kinks.
   SidedMotions(const Dynamics& dynamics, std::span<const double> parameters, double resolution);
   ~SidedMotions();
 
@@ -36,8 +49,8 @@ class SidedMotions {
   /// Null where the motion cannot stay so.
   [[nodiscard]] std::shared_ptr<const KinkedMotion> motion(const Sides& sides) const;
 
-  /// For each kink u, du/dt, du/dq, du/dq'; no numbers where they have no values, which integration will
-  /// meet.
+  /// For each kink u, du/dt, du/dq, du/dq': 2 + 2n numbers. NaN where they have no values, as integration
+  /// will find too.
   [[nodiscard]] std::vector<double> geometry(const Sides& sides, double t, std::span<const double> y) const;
   /// u beyond the rounding of doubles, which all computations of a motion have in common.
   [[nodiscard]] double exact_argument(std::size_t kink, const Sides& sides, double t,
@@ -60,10 +73,10 @@ class SidedMotions {
   [[nodiscard]] double t() const { return t_; }
   [[nodiscard]] const std::vector<double>& y() const { return y_; }
 
-  /// Coefficients 0 .. order of each kink's u along the motion; none where there is no such motion.
+  /// The coefficients u_jk of each kink j along the motion; none where there is no such motion.
   using Series = std::optional<std::vector<std::vector<double>>>;
   [[nodiscard]] const Series& series(const Sides& sides);
-  /// Those of the motion itself, y by y; it has series().
+  /// The y_ik, at i (order + 1) + k, of a motion that has series().
   [[nodiscard]] const std::vector<double>& rows(const Sides& sides);
   /// The same from another state at the same instant.
   [[nodiscard]] std::optional<std::vector<double>> rows_from(const Sides& sides, std::span<const double> y);
@@ -89,7 +102,7 @@ class SidedMotions {
   /// From when on u has the sign of its side along the motion, as far as twice the digits tell, from the
   /// place as it was typed if it was.
   [[nodiscard]] double told_after(const Sides& sides, std::size_t kink, const std::optional<Typed>& place);
-  /// For how much of so many seconds before t u has not had the sign of its side, as far as is told.
+  /// For how many of the `duration` seconds before t u may not have had the sign of its side.
   [[nodiscard]] double time_elsewhere(const Sides& sides, std::size_t kink, double duration);
   /// The side, -1 to 1, that is equivalent to staying on the kink; not a number where there is none.
   [[nodiscard]] double equivalent_side(const Sides& sides, std::size_t kink);

@@ -33,7 +33,7 @@ struct SimulationRequest {
   Impacts impacts{Impacts::apply};
   ImpactOrder impact_order{ImpactOrder::of_scene};
   std::optional<std::size_t> end_after_impacts{};  ///< the motion is complete after so many, at least one
-  Method method{Method::adams};
+  Method method{Method::taylor};
   unsigned taylor_order{};       ///< 0: by the tolerance
   bool is_reference{false};      ///< RunRequest::is_reference
   bool notes_approaches{false};  ///< Simulation::approaches are wanted

@@ -19,7 +19,7 @@ struct EventRecord {
   double t{};
   std::vector<double> y;  ///< before the impact, where the event is one
   bool is_in_doubt{};     ///< in another order of the impacts of its instant it may not happen
-  double untold{};        ///< for so many seconds around it signs were not told
+  double untold{};        ///< for this many seconds around it the signs were not known
 };
 
 /// An event whose function's sign was not seen from some instant to the end of a section.
@@ -69,7 +69,7 @@ struct Simulation {
   std::optional<double> order_in_doubt;     ///< the first instant where it matters which impact is the first
   bool is_unclear_by_kinks{}, has_fast_kinks{};
   std::size_t hidden_kinks{};
-  bool kinks_in_doubt{};      ///< the side of one is not told for a while: errors hold what that may move
+  bool kinks_in_doubt{};      ///< the side of one is unknown for a while: errors hold what that may move
   bool begins_beside_kink{};  ///< whose side doubles do not tell, but the digits that were typed
   std::optional<double> unclear_from;  ///< the first where there are more ways than two orders
   std::optional<Stop> stop;

@@ -6,8 +6,8 @@
 //
 //   e_q + tau e_v + tau^2/2 e_a,   e_v + tau e_a,   e_a,i = sum_k |da_i/dy_k| e_k,
 //
-// and where the second order is not small any more, as beside the top of a hill, nothing is told. It is as
-// good as the e_k are, which are estimates.
+// and where the second order is not small any more, as beside the top of a hill, there is no result.
+// It is as good as the e_k are, which are estimates.
 
 #include <optional>
 #include <span>
@@ -37,7 +37,7 @@ class StatesBeside {
 
   /// The place tau later, or earlier where it is below 0: by the midpoint rule, right up to tau^2.
   [[nodiscard]] std::vector<double> after(double tau);
-  /// What each component may be off by then; none where that is told no longer.
+  /// What each component may be off by then; none where the second order is not small any more.
   [[nodiscard]] std::optional<std::vector<double>> errors_after(double tau);
   /// All states that the motion may have then, by Heun's rule, and what it and Euler's differ by.
   [[nodiscard]] std::optional<std::vector<Interval>> box_after(double tau);

@@ -158,7 +158,8 @@ class Extrema {
     return one.event ? error + speed * time_error(one).value_or(time_around(one)) : error;
   }
 
-  /// In which an event lies whose time has no error: between those beside it, but for its speed's change.
+  /// In which an event lies whose time has no error: from the event before to the one after, and twice
+  /// that because its speed may change.
   [[nodiscard]] double time_around(const PossibleExtremum& one) const {
     constexpr double safety = 2;
     double before = request_.t_start, after = result_.t;

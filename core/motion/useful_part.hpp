@@ -1,5 +1,6 @@
 #pragma once
-// Where a motion's horizon is.
+// The horizon of a motion is the last instant up to which its columns are of use, as an error that grows
+// leaves less and less of them.
 
 namespace qdot {
 

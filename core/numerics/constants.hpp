@@ -1,4 +1,5 @@
 #pragma once
+// Numbers that every room needs by a short name, each the double nearest to it.
 
 #include <limits>
 #include <numbers>

@@ -1,8 +1,9 @@
 #pragma once
+// The direction in which a quantity g(t) passes through zero as time runs forwards: `rising` from g < 0 to
+// g > 0, `falling` from g > 0 to g < 0.
 
 namespace qdot {
 
-/// How a quantity passes through zero, with time running forwards.
 enum class Crossing { rising, falling, either };
 
 }  // namespace qdot

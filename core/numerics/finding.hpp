@@ -1,14 +1,14 @@
 #pragma once
+// A number with its error, |value - the true one| <= error, or the reason why there is none.
 
 #include <optional>
 #include <string>
 
 namespace qdot {
 
-/// A number with its error, or the reason why there is none.
 struct Finding {
   std::optional<double> value;
-  double error{};      ///< |value - the true one| is at most this
+  double error{};      ///< in the unit of the value
   std::string reason;  ///< why there is no value, or what else has to be said of it
 };
 

@@ -135,8 +135,8 @@ long double length_of_column(const LongMatrix& a, Index j) {
   return std::sqrt(sum);
 }
 
-/// Orthonormal columns that span those of A but for lengths below `threshold` times the largest: the longest
-/// that is left is the next, and is made orthogonal to those before it twice.
+/// Orthonormal columns that span those of A, apart from lengths below `threshold` times the largest: the
+/// longest that is left is the next, and is made orthogonal to those before it twice.
 LongMatrix orthonormal_range(LongMatrix a, long double threshold) {
   LongMatrix q(a.rows(), std::min(a.rows(), a.cols()));
   long double largest = 0;

@@ -56,7 +56,8 @@ void reflect_columns(LongMatrix& a, const Reflection& h, Index column, Index row
   }
 }
 
-/// A = Q T Q^T; T is upper triangular but for blocks of two rows whose eigenvalues are not real.
+/// A = Q T Q^T; T is upper triangular, with a block of two rows for each pair of eigenvalues that are
+/// not real.
 class RealSchur {
  public:
   explicit RealSchur(const LongMatrix& a) : t_(a), q_(LongMatrix::Identity(a.rows(), a.cols())) {

@@ -58,7 +58,7 @@ class Search {
     halve(b, from, to, depth);
   }
 
-  /// Any function within the remainder changes its sign once: definite signs but for one coefficient.
+  /// Any function within the remainder changes its sign once: all coefficients but one have definite signs.
   [[nodiscard]] bool has_one_zero(const Coefficients& b) const {
     const int first = sign(b[0]), last = sign(b[n_]);
     if (first * last >= 0) return false;

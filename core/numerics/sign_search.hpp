@@ -1,5 +1,5 @@
 #pragma once
-// The signs that a function takes on an interval, when it is known as a polynomial but for a remainder:
+// The signs that a function takes on an interval, when it is known as a polynomial and a bound of the rest:
 //
 //   |g(u) - sum_k c_k u^k| <= r    for 0 <= u <= 1.
 //

@@ -109,7 +109,7 @@ struct Nearby {
                                                      {Outcome::at_infinity, Obstacle::no_finite_value},
                                                      {Outcome::not_real, Obstacle::no_real_value},
                                                      {Outcome::negative_square, Obstacle::negative_square}};
-  return {obstacles.at(found.outcome), std::move(found.values), "", found.square};
+  return {obstacles.at(found.outcome), std::move(found.values), "", found.square, {}, found.may_be_two};
 }
 
 /// Half-lines of u outside which a root or a logarithm in the force, of what is linear in u, has no value.
@@ -216,8 +216,38 @@ enum class Demand { nothing, impossible, a_value };
   return force.depends && !is_constant && alone ? Demand::a_value : Demand::impossible;
 }
 
+double widest(std::span<const Interval> values) {
+  double width = 0;
+  for (const Interval& u : values) width = std::max(width, u.width());
+  return width;
+}
+
+struct Told {
+  Candidates found;
+  std::size_t force{};
+};
+
+/// By the force that tells u best: two roots of a polynomial may be too near to each other to be told apart,
+/// where another has one. A force that is no polynomial is asked where none is, or where none tells.
+[[nodiscard]] Told told_best(const BalanceProblem& problem, const Nearby& coefficients,
+                             std::span<const std::size_t> asking) {
+  const std::vector<SteadyPolynomial::Force>& forces = problem.polynomial->forces;
+  Told best{{Obstacle::not_decided, {}, "", 0}, asking.front()};
+  for (const std::size_t k : asking) {
+    const bool is_told = best.found.obstacle == Obstacle::none;
+    if (is_told && !forces[k].degree) break;
+    const auto [c, near] = coefficients.of_force(k);
+    Candidates now = forces[k].degree ? roots(c, near) : searched(problem, k);
+    if (now.obstacle == Obstacle::not_decided) continue;
+    if (now.obstacle != Obstacle::none) return {std::move(now), k};
+    if (!is_told || widest(now.values) < widest(best.found.values)) best = {std::move(now), k};
+  }
+  return best;
+}
+
 }  // namespace
 
+/// A force that vanishes there whatever u is tells nothing: others may.
 Candidates balancing_values(const BalanceProblem& problem) {
   if (problem.kinks->move || is_at_kink(problem)) return {Obstacle::at_kink, {}, "", 0};
   if (are_dependent(problem, problem.constants)) return {Obstacle::dependent, {}, "", 0};
@@ -225,19 +255,23 @@ Candidates balancing_values(const BalanceProblem& problem) {
   const std::vector<SteadyPolynomial::Force>& forces = problem.polynomial->forces;
   const Nearby coefficients = values_nearby(problem, problem.polynomial->coefficients);
   std::vector<std::size_t> without_force;
-  std::optional<std::size_t> chosen;
+  std::vector<std::size_t> asking;
   for (std::size_t k = 0; k < forces.size(); ++k) {
     const auto [c, near] = coefficients.of_force(k);
     const Demand demand = demand_of(forces[k], c, near, forces.size() == 1);
     if (demand == Demand::impossible) return out_of_balance(problem, forces[k]);
     if (demand == Demand::nothing) without_force.push_back(k);
-    if (demand == Demand::a_value && !chosen) chosen = k;
+    if (demand == Demand::a_value) asking.push_back(k);
   }
-  if (!chosen) return {Obstacle::does_not_matter, {}, "", 0};
-  const auto [c, near] = coefficients.of_force(*chosen);
-  Candidates found = forces[*chosen].degree ? roots(c, near) : searched(problem, *chosen);
-  found.without_force = std::move(without_force);
-  return common_zeros(problem, std::move(found), *chosen);
+  if (asking.empty()) return {Obstacle::does_not_matter, {}, "", 0};
+  std::stable_partition(asking.begin(), asking.end(),
+                        [&](std::size_t k) { return forces[k].degree.has_value(); });
+  Told told = told_best(problem, coefficients, asking);
+  for (const std::size_t k : asking) {
+    if (k != told.force && !forces[k].degree) without_force.push_back(k);
+  }
+  told.found.without_force = std::move(without_force);
+  return common_zeros(problem, std::move(told.found), told.force);
 }
 
 }  // namespace qdot

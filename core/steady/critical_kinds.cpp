@@ -38,7 +38,7 @@ bool folds_alone(const SteadyProblem& problem, const BifurcationSystems& systems
   return true;
 }
 
-/// None: it is told with another.
+/// None where another zero stands for this one, too.
 std::optional<KnownZero> kind_in_families(const SteadyProblem& problem, const BifurcationSystems& systems,
                                           const CriticalZeros& found, const CriticalZero& here) {
   using Kind = BifurcationSystem::Kind;

@@ -1,5 +1,5 @@
 #pragma once
-// Why the kind of a critical value is not told (core/steady/critical_value.hpp).
+// Why the kind of a critical value is not decided (core/steady/critical_value.hpp), in words.
 
 namespace qdot {
 

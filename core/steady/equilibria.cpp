@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/base/error.hpp"
+#include "core/base/listed.hpp"
 #include "core/base/work.hpp"
 #include "core/dynamics/missing_values.hpp"
 #include "core/numerics/constants.hpp"
@@ -97,6 +98,7 @@ class RegionSearch {
   void find() {
     if (forces().unknowns.empty()) return add({.x = given_place(), .simple = true});
     if (const auto shift = shared_shift(scene(), problem_); !shift.empty()) return family(shift);
+    if (const auto shift = shift_in_ratio(problem_); !shift.empty()) return family(shift);
     if (forces().charts.empty()) search();
     for (const Chart& chart : forces().charts) {
       system_.use(chart, sizes_);
@@ -246,11 +248,18 @@ class RegionSearch {
   }
 
   void family(const std::vector<std::size_t>& shift) {
-    std::string names;
-    for (const std::size_t j : shift)
-      names += (names.empty() ? "" : j == shift.back() ? " and " : ", ") + coordinate(j).name;
+    std::vector<std::string> names;
+    for (const std::size_t j : shift) names.push_back(coordinate(j).name);
+    family("Adding the same to " + listed(names));
+  }
+  void family(const WrittenShift& shift) {
+    std::vector<std::string> changes;
+    for (const auto& [j, added] : shift) changes.push_back("d" + coordinate(j).name + " = " + added);
+    family("The small change " + listed(changes));
+  }
+  void family(const std::string& change) {
     incomplete(
-        "Adding the same to " + names +
+        change +
         " changes no force, so equilibria are no isolated points: where there are some, there is a whole "
         "family, which is not listed. 'modes' has the small motions about one of them.");
   }

@@ -260,7 +260,7 @@ class NewtonSearch {
     return as_written(with_family(statics_, enclosed_constants_, near, guess_, *found));
   }
 
-  /// One of several that are not told apart is the one that doubles stand for, or any beside it.
+  /// Of several that cannot be told apart it is the one that doubles stand for, or any beside it.
   static Equilibrium as_written(Equilibrium place) {
     for (Ball& x : place.x) {
       const double value = std::abs(x.value());

@@ -5,8 +5,8 @@
 //
 //   sum_i xi_k,i g_i = 0 identically,
 //
-// those on P vanish with them: it is an equilibrium, and the only one nearby but for where the changes take
-// it.
+// those on P vanish with them: it is an equilibrium, and the only ones nearby are those to which the changes
+// take it.
 
 #include "core/steady/equilibrium_enclosure.hpp"
 

@@ -5,7 +5,7 @@
 //   P(s) = det(s^2 M + s D + K) = a_0 s^N + a_1 s^(N-1) + ... + a_N
 //
 // crosses the imaginary axis (Hopf), where the Hurwitz determinant H_(N-1) = det (a_(2i-j)) vanishes, which
-// is, but for a power of a_0, the product of all sums of two roots (Orlando's formula). It vanishes for roots
+// is, up to a power of a_0, the product of all sums of two roots (Orlando's formula). It vanishes for roots
 // +-r, too, where omega^2 = -r^2 < 0. Where P is even, as without damping, no root crosses alone: two pairs
 // meet on the axis and leave it, where the discriminant of P as a polynomial of s^2 vanishes (flutter of
 // follower forces; gyroscopic stabilization lost). Sources: Gantmacher, The Theory of Matrices II, XV.7;

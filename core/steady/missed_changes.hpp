@@ -11,7 +11,7 @@
 
 namespace qdot {
 
-/// Changes along `branches` but for those at one of `known`, with the parameter in `range`. Two more
+/// Changes along `branches` that are not at one of `known`, with the parameter in `range`. Two more
 /// equilibria on one side than on the other, on the mirror of a symmetry, say that one is a pitchfork; all
 /// others are unresolved.
 [[nodiscard]] std::vector<KnownZero> missed_changes(CriticalProblem& problem, const CriticalChart& chart,

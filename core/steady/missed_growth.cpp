@@ -16,7 +16,7 @@ constexpr std::size_t most_coordinates_of_growth = 4;
 using IntervalPowers = PowerCoefficients<Interval>;
 using Rows = std::vector<std::vector<Interval>>;
 
-/// Sylvester's matrix of b and its derivative: its determinant is the discriminant but for the leading
+/// Sylvester's matrix of b and its derivative: its determinant is the discriminant times the leading
 /// coefficient and a sign.
 Rows discriminant_matrix(const IntervalPowers& b) {
   const std::size_t n = b.size() - 1;

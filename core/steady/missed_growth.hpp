@@ -16,7 +16,7 @@
 
 namespace qdot {
 
-/// Those along `branches` but for those at one of `known`, not proven to be all; of the constant number
+/// Those along `branches` that are not at one of `known`, not proven to be all; of the constant number
 /// `index`. None with constraints, and of more than four coordinates.
 [[nodiscard]] std::vector<KnownZero> missed_growth(const Dynamics& dynamics, const CriticalProblem& problem,
                                                    std::size_t index,

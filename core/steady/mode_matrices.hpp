@@ -1,5 +1,5 @@
 #pragma once
-// Matrices of small motions as numbers.
+// The matrices of small motions, M u'' + D u' + K u = 0 (core/steady/small_motions.hpp), as numbers.
 
 #include <tuple>
 #include <vector>

@@ -15,7 +15,7 @@ QuadraticRoots opposite_roots(std::span<const Interval> c) {
   const Interval square = -c[0] / c[2];
   if (square.upper < 0) return {Outcome::negative_square, {}, square.middle()};
   const Interval root = root_of(square);
-  if (root.lower == 0) return {Outcome::found, {hull(root, -root)}, 0};  // to within rounding one value, 0
+  if (root.lower == 0) return {Outcome::found, {hull(root, -root)}, 0, root.upper > 0};
   return {Outcome::found, {root, -root}, 0};
 }
 
@@ -30,10 +30,9 @@ QuadraticRoots quadratic_roots(std::span<const Interval> c, std::span<const Inte
   const Interval discriminant = square(c[1]) - Interval(4) * c[2] * c[0];
   if (discriminant.upper < 0) return {Outcome::not_real, {}, 0};
   const Interval root = root_of(discriminant);
-  if (discriminant.lower <= 0 || c[1].contains(0.0)) {
-    return {
-        Outcome::found, {(-c[1] - root) / (Interval(2) * c[2]), (-c[1] + root) / (Interval(2) * c[2])}, 0};
-  }
+  const Interval one = (-c[1] - root) / (Interval(2) * c[2]), other = (-c[1] + root) / (Interval(2) * c[2]);
+  if (discriminant.lower <= 0) return {Outcome::found, {hull(one, other)}, 0, discriminant.upper > 0};
+  if (c[1].contains(0.0)) return {Outcome::found, {one, other}, 0};
   const Interval q = (c[1].lower > 0 ? -c[1] - root : -c[1] + root) / Interval(2);
   return {Outcome::found, {q / c[2], c[0] / q}, 0};
 }

@@ -20,6 +20,7 @@ struct QuadraticRoots {
   } outcome{};
   std::vector<Interval> values;
   double square{};
+  bool may_be_two{};  ///< or none: the discriminant may be zero, and the one value holds all there are
 };
 
 /// `c`: c0, c1, c2 at a place. `near`: the same for all places that the given one may stand for.

@@ -24,7 +24,7 @@ struct EndCrossing {
 
 /// Of the coordinate and the parameter with these names. Where the region ends far out, the forces are not
 /// yet those at infinity: a number that is nearly 0 in the range of the parameter means 0 there, and no more
-/// digits are told than are the same.
+/// digits are given than both have in common.
 [[nodiscard]] std::string sentence(const EndCrossing& crossing, const std::string& coordinate,
                                    const std::string& parameter, const Interval& range);
 

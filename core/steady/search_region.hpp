@@ -1,5 +1,5 @@
 #pragma once
-// Where equilibria are looked for, and how an enclosure is told as a number with an error.
+// Where equilibria are looked for, and how an enclosure becomes a number with an error.
 
 #include "core/base/short_number.hpp"
 #include "core/numerics/root_isolation.hpp"

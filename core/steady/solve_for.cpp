@@ -115,6 +115,7 @@ Solution solve_for(const Dynamics& dynamics, const Reals& parameters, const Real
   result.polynomial = problem.polynomial;
   result.without_force = found.without_force;
   result.values = allowed_values(problem, found.values);
+  result.may_be_two = found.may_be_two && !result.values.empty();
   if (result.values.empty() && !found.values.empty()) tell_why_none_is_allowed(problem, found);
   result.reason = sentence(found, unknown, position_in_words(problem));
   if (!result.reason.empty()) result.reason += held_rates(problem);

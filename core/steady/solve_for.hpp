@@ -29,6 +29,7 @@ struct SolvedValue {
 
 struct Solution {
   std::vector<SolvedValue> values;  ///< non-negative ones first, then by size
+  bool may_be_two{};                ///< the one value, within its error, or none
   std::string reason;               ///< why there is none
   std::string unit;
   /// For one coordinate and a polynomial; ascending. No value where it is not known.

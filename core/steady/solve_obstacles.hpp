@@ -33,6 +33,7 @@ struct Candidates {
   std::string name;  ///< of coordinates out of balance, or of a constraint; or what is impossible
   double number{};
   std::vector<std::size_t> without_force{};  ///< those of the polynomial's that vanish whatever u is
+  bool may_be_two{};                         ///< the one value, within its error, or none
 };
 
 /// Empty where there is no obstacle. `u`: the unknown's name; `position`: in words, empty where no force

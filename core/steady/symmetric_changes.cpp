@@ -1,6 +1,10 @@
 #include "core/steady/symmetric_changes.hpp"
 
+#include <algorithm>
+#include <utility>
+
 #include "core/base/error.hpp"
+#include "core/expr/print/print.hpp"
 #include "core/expr/zeroness.hpp"
 #include "core/symmetry/symmetries.hpp"
 
@@ -33,22 +37,44 @@ bool is_potential_of(const Lagrangian& massless, const std::vector<Expression>& 
   return true;
 }
 
-}  // namespace
-
-std::optional<CompiledFunction> symmetric_changes(const Statics& statics) {
+/// None where there are none that can be used.
+std::optional<SymmetrySearch> searched(const Statics& statics) {
   try {
     const Lagrangian own = massless(statics.reduction);
     if (own.symbols.coordinates.value.size() < 2 || !is_potential_of(own, statics.rest)) return std::nullopt;
-    const SymmetrySearch search = symmetries_of_places(own);
-    std::vector<Expression> changes;
-    for (const Symmetry& symmetry : search.found)
-      changes.insert(changes.end(), symmetry.change.shift.begin(), symmetry.change.shift.end());
-    if (changes.empty()) return std::nullopt;
-    return compiled_at_rest(statics.reduction, *search.lagrangian.graph, changes);
+    SymmetrySearch search = symmetries_of_places(own);
+    return search.found.empty() ? std::nullopt : std::optional(std::move(search));
   } catch (const Error& error) {
     if (error.code() != ErrorCode::too_large) throw;
     return std::nullopt;
   }
+}
+
+}  // namespace
+
+std::optional<CompiledFunction> symmetric_changes(const Statics& statics) {
+  const std::optional<SymmetrySearch> search = searched(statics);
+  if (!search) return std::nullopt;
+  std::vector<Expression> changes;
+  for (const Symmetry& symmetry : search->found)
+    changes.insert(changes.end(), symmetry.change.shift.begin(), symmetry.change.shift.end());
+  return compiled_at_rest(statics.reduction, *search->lagrangian.graph, changes);
+}
+
+std::vector<WrittenShift> symmetric_shifts(const Statics& statics) {
+  std::vector<WrittenShift> result;
+  const std::optional<SymmetrySearch> search = searched(statics);
+  if (!search) return result;
+  const std::vector<Expression>& x = search->lagrangian.symbols.coordinates.value;
+  for (const Symmetry& symmetry : search->found) {
+    const std::vector<Expression>& shift = symmetry.change.shift;
+    if (std::ranges::any_of(shift, [&](const Expression& e) { return depends_on(e, x); })) continue;
+    WrittenShift& written = result.emplace_back();
+    for (std::size_t i = 0; i < shift.size(); ++i) {
+      if (!shift[i].is_zero()) written.emplace_back(i, print(shift[i], Form::text));
+    }
+  }
+  return result;
 }
 
 }  // namespace qdot

@@ -8,6 +8,9 @@
 // and every place that they lead to is an equilibrium like it (core/symmetry has how they are found).
 
 #include <optional>
+#include <string>
+#include <utility>
+#include <vector>
 
 #include "core/dynamics/statics.hpp"
 
@@ -17,5 +20,11 @@ namespace qdot {
 /// independent at a place. None where there are none, where the forces at rest have no potential, and where
 /// the search grows too large.
 [[nodiscard]] std::optional<CompiledFunction> symmetric_changes(const Statics& statics);
+
+/// The place in x of each coordinate that moves, and how far, written in the parameters.
+using WrittenShift = std::vector<std::pair<std::size_t, std::string>>;
+
+/// Those among them that move every place by the same, as geared shafts that turn together.
+[[nodiscard]] std::vector<WrittenShift> symmetric_shifts(const Statics& statics);
 
 }  // namespace qdot

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "core/base/error.hpp"
+#include "core/base/listed.hpp"
 #include "core/expr/print/print.hpp"
 #include "core/expr/simplify.hpp"
 #include "core/mechanics/canonical.hpp"
@@ -23,13 +24,6 @@ PointChange opposite(const PointChange& change) {
   PointChange result{{}, -change.time, -change.gauge};
   for (const Expression& shift : change.shift) result.shift.push_back(-shift);
   return result;
-}
-
-std::string listed(const std::vector<std::string>& parts) {
-  std::string text;
-  for (std::size_t k = 0; k < parts.size(); ++k)
-    text += (k == 0 ? "" : k + 1 == parts.size() ? " and " : ", ") + parts[k];
-  return text;
 }
 
 /// The dimension of every symbol whose unit the scene states.

@@ -10,8 +10,8 @@
 
 namespace qdot {
 
-/// Gauges F(t) for the functions g(t) that stand alone, but for numbers and parameters, in some dL/dq_i or in
-/// a force beside L: the integral of g and that of t g, which a boost needs, where they are elementary
+/// Gauges F(t) for the functions g(t) that stand alone, or with numbers and parameters only, in some dL/dq_i
+/// or in a force beside L: the integral of g and that of t g, which a boost needs, where they are elementary
 /// (antiderivative.hpp). Those of degree two at most in t are elementary changes already.
 [[nodiscard]] std::vector<ElementaryChange> gauges_of_time(const Lagrangian& lagrangian);
 

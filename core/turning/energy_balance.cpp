@@ -95,6 +95,12 @@ Interval EnergyBalance::potential_rate_sharply(double x) {
   return is_whole(stiffness(x)) ? Interval::whole() : value(sharp_rate_, Ball(x)).interval();
 }
 
+Interval EnergyBalance::potential_rate_at_start() {
+  const Interval rate = potential_rate(start());
+  if (!rate.contains(0.0) || is_whole(stiffness(start()))) return rate;
+  return intersection(rate, value(sharp_rate_, Ball::literal(x0_)).interval());
+}
+
 /// The formula of U' is silent about jumps of U, and takes one slope at a kink.
 Interval EnergyBalance::potential_rate(const Interval& x) {
   const auto u = value(curved_potential_, Curvature::variable(centre_of(x), x)).over;

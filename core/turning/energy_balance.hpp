@@ -47,9 +47,10 @@ class EnergyBalance {
   [[nodiscard]] double rounding_of_start();
 
   [[nodiscard]] Interval remaining(const Interval& x);  ///< F(x)
-  /// F(x) by arithmetic of twice the digits: dearer, and sharper where U(x) - U(x0) is not small.
+  /// F(x) by arithmetic of twice the digits: slower, and sharper where U(x) - U(x0) is not small.
   [[nodiscard]] Interval remaining_sharply(double x);
   [[nodiscard]] Interval potential_rate_sharply(double x);  ///< g(x), in the same way
+  [[nodiscard]] Interval potential_rate_at_start();         ///< at the number x0, in the same way
   /// U[a, x], U'(a) where they meet.
   [[nodiscard]] Interval potential_slope(const Interval& a, const Interval& x);
   [[nodiscard]] Interval potential(const Interval& x);  ///< U(x) [J]

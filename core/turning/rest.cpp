@@ -38,9 +38,8 @@ std::optional<RestingPlace> equilibrium_between(EnergyBalance& energy) {
   return std::nullopt;
 }
 
-}  // namespace
-
-bool departs_from_rest(EnergyBalance& energy) {
+/// Whether the force at the double x0 has a sign, and x0 is not the double nearest to an equilibrium.
+bool is_pushed(EnergyBalance& energy) {
   const double x0 = energy.x0();
   const Interval g = energy.potential_rate(x0);
   if (g.contains(0.0)) return false;
@@ -49,9 +48,18 @@ bool departs_from_rest(EnergyBalance& energy) {
   return k.contains(0.0) || is_empty(intersection(Interval(x0) - g / k, near));
 }
 
+}  // namespace
+
 std::optional<RestingPlace> resting_place(EnergyBalance& energy) {
   const auto smooth = smooth_equilibrium(energy);
   return smooth ? smooth : equilibrium_between(energy);
+}
+
+bool departs_from_rest(EnergyBalance& energy) {
+  if (is_pushed(energy)) return true;
+  if (energy.potential_rate_at_start().contains(0.0)) return false;
+  const auto place = resting_place(energy);
+  return !place || place->stability != "stable";
 }
 
 }  // namespace qdot

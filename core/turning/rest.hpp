@@ -9,7 +9,8 @@
 
 namespace qdot {
 
-/// Whether the force at x0 has a sign, and x0 is not the double nearest to an equilibrium.
+/// Whether the force at the number x0 has a sign, but for where x0 is next to a stable equilibrium: beside
+/// that the motion stays within the errors.
 [[nodiscard]] bool departs_from_rest(EnergyBalance& energy);
 
 struct RestingPlace {

@@ -62,7 +62,7 @@ MotionBounds bounds_of(EnergyBalance& energy, const Range& range) {
     return found;
   };
   const MotionBound start{MotionBound::Kind::turning, energy.start()};
-  const double pull = energy.potential_rate(energy.x0()).middle();
+  const double pull = energy.potential_rate_at_start().middle();
   const bool moves = !energy.starts_at_rest();
   MotionBounds bounds{start, start};
   if (moves || pull < 0) bounds.up = bound(Direction::up);
@@ -196,7 +196,7 @@ class Question {
   void move(const Coordinate& q) {
     const MotionBounds bounds = bounds_of(energy_, range_of(q, problem_.original->reduction));
     if (energy_.starts_at_rest()) {
-      const bool rises = energy_.potential_rate(x0_).middle() < 0;
+      const bool rises = energy_.potential_rate_at_start().middle() < 0;
       answer_.initial = rises ? InitialPlace::minimum : InitialPlace::maximum;
     }
     answer_.maximum = extremum_at(bounds.up, q.name);

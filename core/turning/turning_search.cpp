@@ -61,6 +61,9 @@ TurningSearch::Piece TurningSearch::piece(double width) {
 bool TurningSearch::rises(const Interval& slope) const {
   return sign_ > 0 ? slope.upper <= 0 : slope.lower >= 0;
 }
+bool TurningSearch::rises_strictly(const Interval& slope) const {
+  return sign_ > 0 ? slope.upper < 0 : slope.lower > 0;
+}
 bool TurningSearch::falls(const Interval& slope) const {
   return sign_ > 0 ? slope.lower > 0 : slope.upper < 0;
 }
@@ -71,10 +74,17 @@ bool TurningSearch::is_positive(const Piece& piece) {
     const Interval start = energy_.start();
     const Interval slope =
         intersection(energy_.potential_slope(start, piece.x), energy_.potential_rate(hull(start, piece.x)));
-    return sign_ > 0 ? slope.upper < 0 : slope.lower > 0;
+    return rises_strictly(slope) || rises_strictly(slope_beside_start(piece));
   }
   const Interval slope = intersection(energy_.potential_slope(p_, piece.x), piece.slope);
   return (remaining_ - (piece.x - Interval(p_)) * slope).lower > 0;
+}
+
+/// U' by its rise from the force at the start, which may be far smaller than what rounds it elsewhere.
+Interval TurningSearch::slope_beside_start(const Piece& piece) {
+  const Interval away = intersection(Interval(sign_) * (piece.x - energy_.start()), Interval(0, infinity));
+  return energy_.potential_rate_at_start() +
+         Interval(sign_) * away * energy_.stiffness(hull(energy_.start(), piece.x));
 }
 
 /// F(x) by whichever arithmetic says more.

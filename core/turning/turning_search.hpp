@@ -74,7 +74,9 @@ class TurningSearch {
   [[nodiscard]] Interval remaining_at(double x);
   [[nodiscard]] Interval remaining_at_crest(const Interval& c);
   [[nodiscard]] bool rises(const Interval& slope) const;
+  [[nodiscard]] bool rises_strictly(const Interval& slope) const;
   [[nodiscard]] bool falls(const Interval& slope) const;
+  [[nodiscard]] Interval slope_beside_start(const Piece& piece);
   enum class Verdict { nothing, undecided, bound };
   [[nodiscard]] Verdict look(Piece piece);
   [[nodiscard]] Verdict look_at_crest(const Piece& piece);

@@ -125,6 +125,25 @@ class BalancedPlaces(Service):
         for body in ({"system": "plane_pendulum"}, {"system": "free_spin_pendulum", "initial": {"psi_dot": 3}}):
             self.assertNotIn("notes", self.ask("modes", body))
 
+    def test_of_two_values_that_are_hardly_apart_another_force_tells_which(self):
+        """f vanishes at two values of k, or at one twice, and g at one of them alone."""
+        for value, other in (("-0.77753", "-0.77752999"), ("1.25", "1.250000000001"), ("2.3", "2.3"), ("1234567.5", "1234567.501")):
+            scene = {"name": "two", "units": "none", "parameters": [{"name": "k", "default": "1"}],
+                     "coordinates": [{"name": "x", "initial": "0.3"}, {"name": "y", "initial": "0.1"}],
+                     "lagrangian": "(x_dot^2 + y_dot^2)/2",
+                     "forces": [{"name": "f", "value": f"2.173*(k - ({value}))*(k - ({other}))", "along": "x"},
+                                {"name": "g", "value": f"-2*(y - 0.5) + 0.5*(k - ({value}))", "along": "y"}]}
+            answer = self.ask("equilibria", {"system": scene, "solve_for": "k", "at": {"x": 1, "y": 0.5}})
+            self.assertLessEqual(abs(answer["k"] - float(value)), answer["error"])
+            self.assertLess(answer["error"], 1e-14*max(1, abs(float(value))))
+            self.assertEqual(len(answer["all"]), 1)
+            del scene["forces"][1], scene["coordinates"][1]
+            scene["lagrangian"] = "x_dot^2/2"
+            alone = self.ask("equilibria", {"system": scene, "solve_for": "k", "at": {"x": 1}})
+            for held in (value, other):
+                self.assertTrue(any(abs(one["k"] - float(held)) <= one["error"] for one in alone["all"]))
+            self.assertEqual(len(alone["all"]) == 1, "two values, one or none" in str(alone.get("notes")))
+
     def test_what_may_rest_anywhere_has_no_formula(self):
         """Its number may be that of a parameter."""
         ring = "m*(a_dot^2 + b_dot^2 + c_dot^2)/2 - k*((a - b)^2 + (b - c)^2 + (c - a)^2)/2"

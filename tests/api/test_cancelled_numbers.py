@@ -1,4 +1,4 @@
-"""Defaults that are expressions of parameters and cancel but for their last digits: to the decimals as typed where they
+"""Defaults that are expressions of parameters and cancel up to their last digits: to the decimals as typed where they
 are rational, and elsewhere with an error that holds what is not known."""
 
 import json

@@ -126,7 +126,7 @@ class DragFromRest(Service):
 
 
 class DragAlongALine(Service):
-    """Its size is |v|, whose kink the motion is told of, and not a root of v^2."""
+    """Its size is |v|, whose kink the motion knows, and not a root of v^2."""
 
     def test_of_a_line_and_of_a_circle(self):
         pendulum = {"name": "pendulum", "parameters": parameters(m=("kg", "1"), l=("m", "0.8"), c=("kg/m", "0.2"),

@@ -9,7 +9,7 @@ import random
 import sys
 import unittest
 
-from mpmath import asin, cos, floor, mp, mpf, pi, sin, sqrt
+from mpmath import asin, cos, floor, mp, mpf, nstr, pi, sin, sqrt
 
 sys.path.append(str(pathlib.Path(__file__).resolve().parents[1] / "support"))
 from service import Service  # noqa: E402
@@ -68,6 +68,22 @@ class DryFriction(Service):
                 self.assertAlmostEqual(stick["from"], float(rest), delta=1e-2)
                 self.assertEqual(stick["to"], 31)
 
+    def test_fast_masses_slide_to_rest_too(self):
+        """At 1e9 m/s the last digit of the time is 1e-7 m/s."""
+        for v, mu in (("9.503e9", "7.676737642498904e9"), ("3.1e12", "1.23456789e12"), ("7.7e14", "3.3333333e13")):
+            rest = mpf(v)/mpf(mu)
+
+            def truth(t):
+                s = min(t, rest)
+                return mpf(v)*s - mpf(mu)*s*s/2, mpf(v) - mpf(mu)*s
+
+            answer = self.ask("simulate", {"system": mass(f"-{mu}*sign(x0_dot)"), "initial": {"x0_dot": float(v)}, "t_end": 30,
+                                           "samples": 3})
+            accuracy = answer["accuracy"]["max_abs_error"]
+            for name, value in zip(("x0", "x0_dot"), truth(mpf(30))):
+                self.assertLessEqual(abs(mpf(answer["trajectory"][name][-1]) - value), accuracy[name])
+            self.assertLess(accuracy["x0"], 1e-13*float(v)*30)
+
     def test_an_oscillation_ends_where_friction_holds_the_spring(self):
         draw = random.Random(2)
         for _ in range(30):
@@ -89,11 +105,15 @@ class DryFriction(Service):
                             **accuracy}, truth)
 
     def test_a_belt_carries_a_mass_until_the_spring_is_stronger(self):
+        """With its friction as one, and as two whose signs are of multiples of one speed."""
         draw = random.Random(3)
-        for _ in range(30):
+        for i in range(60):
             k, mu, v = f"{draw.uniform(1, 30):.3g}", f"{draw.uniform(0.2, 2):.3g}", f"{draw.uniform(0.1, 1):.3g}"
+            multiple = ("3", "0.5", "1.7", "10")[i // 2 % 4]
+            friction = f"-{mu}*sign(x0_dot - {v}*L/T)" if i % 2 == 0 else (
+                f"-{mu}/4*sign({multiple}*x0_dot - {nstr(mpf(multiple)*mpf(v), 10)}*L/T) - 3*{mu}/4*sign(x0_dot - {v}*L/T)")
             accuracy = draw.choice(ACCURACIES)
-            with self.subTest(k=k, mu=mu, v=v, **accuracy):
+            with self.subTest(k=k, friction=friction, **accuracy):
                 omega, stretch, speed = sqrt(mpf(k)), mpf(mu)/mpf(k), mpf(v)
 
                 def truth(t):  # once it slips, undamped about the stretch: it never reaches the belt's speed from below again
@@ -103,7 +123,7 @@ class DryFriction(Service):
                     return stretch + speed/omega*sin(omega*s), speed*cos(omega*s)
 
                 slips = min(stretch/speed + 2*pi/omega*mpf("0.95"), mpf(20))
-                answer = self.check({"system": mass(f"-{k}*x0/L - {mu}*sign(x0_dot - {v}*L/T)"),
+                answer = self.check({"system": mass(f"-{k}*x0/L {friction}"),
                                      "initial": {"x0_dot": float(v)}, "t_end": float(slips), **accuracy}, truth)
                 self.assertEqual(answer["sticking"][0]["from"], 0)
 

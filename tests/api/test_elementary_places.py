@@ -169,6 +169,19 @@ class Places(Service):
         found = self.ask("equilibria", {"system": series, "solve_for": "k", "at": {"x": 1.5, "y": 2.5}})
         self.assertIn("x is not in balance", found["reason"])
 
+    def test_a_force_that_vanishes_there_holds_the_coordinate_that_makes_it(self):
+        for potential, unknown, text in (("exp(k)*(x - 1)^2/2 + k*y^2/2 + g*y", "k", "-g/y"), ("cos(k)*(x - 1)^2/2 + k*y^2/2 + g*y", "k", "-g/y"),
+                                         ("exp(k)*(x - 1)^2/2 + exp(k)*y^2/2 + g*y", "k", "log(-g/y)"),
+                                         ("k*(sqrt((x - 1)^2 + y^2) - l)^2/2 + g*y", "g", None)):
+            scene = lagrangian("spring", "k - 10; l - 1; g - 3", "x - 0.3; y - 0.3", f"(x_dot^2 + y_dot^2)/2 - ({potential})")
+            with self.subTest(potential):
+                found = self.ask("equilibria", {"system": scene, "solve_for": unknown, "at": {"x": 1, "y": -1.5}})
+                value = {"-g/y": 2, "log(-g/y)": math.log(2), None: 5}[text]
+                self.assertLessEqual(abs(found[unknown] - value), found["error"] + 1e-15)
+                self.assertEqual(found["exact"]["text"] if text else None, text)
+                self.assertIn("x = 1", found["exact"]["assumes"])
+                self.assertNotIn("y = -1.5", found["exact"]["assumes"])
+
     def test_a_value_of_zero_holds_where_it_is_asked(self):
         tilted = lagrangian("tilted", "k - 10; g - 3", "x - 0.3; y - 0.3", "(x_dot^2 + y_dot^2)/2 - (k*(x - 1)^2/2 + k*y^2/2 + g*(y - 1)^2)")
         found = self.ask("equilibria", {"system": tilted, "solve_for": "k", "at": {"x": 1, "y": 1}})

@@ -67,7 +67,7 @@ class Gauss(Service):
             self.assertAlmostEqual(a, b, 8)
 
     def test_events_that_its_last_digits_invent_are_told_to_be_in_doubt(self):
-        """Before a pulse both stand still, but for a difference of 1e-200 and what is left of its equations."""
+        """Before a pulse both stand still, apart from a difference of 1e-200 and what is left of its equations."""
         for where in (2.274, 4.96):
             scene = lagrangian("pushed", "", "x - 0 0; y - 0 0", "(x_dot^2 + y_dot^2)/2", forces=[
                 {"name": "push", "value": f"exp(-((t - {where})/0.05)^2)", "along": "x"},

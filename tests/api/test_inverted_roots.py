@@ -60,15 +60,19 @@ class InvertedRoots(Service):
             self.assertEqual(self.ask("turning_points", {"system": asked})["exact"][place]["text"], text)
 
     def test_the_other_end_of_a_motion_from_rest(self):
-        """Cubic equations of which one root is the start, at random parameters: V of both ends is the same."""
+        """Equations of which one root, or its square, is the start, and lengths beside what is drawn, at random parameters: V of
+        both ends is the same."""
         draw = random.Random(5)
         for text, start, end in (("k*x^2/2 - q*x^3/3", 0.5, "x_min"), ("k*x^2/2 - q*x^3/3", -0.5, "x_max"),
-                                 ("k/(2*x^2) + q*x", 0.6, "x_max"), ("k/(2*x^2) + q*x", 3, "x_min")):
+                                 ("k/(2*x^2) + q*x", 0.6, "x_max"), ("k/(2*x^2) + q*x", 3, "x_min"),
+                                 ("k/(2*x^2) + q*x^4", 0.6, "x_max"), ("k/(2*x^2) + q*x^4", 3, "x_min"),
+                                 ("k*(sqrt(x^2 + q^2) - 1)^2/2", 0.3, "x_max"), ("k*(sqrt(x^2 + q^2) - 1)^2/2", -0.3, "x_min")):
             system = lagrangian("cubic", f"m - 1; k - 2; q - 0.3; c - {start}", "x - c", f"m*x_dot^2/2 - ({text})")
             for _ in range(6):
                 numbers = {"m": 1, "k": round(draw.uniform(1, 3), 3), "q": round(draw.uniform(0.2, 0.5), 3)}
                 answer = self.ask("turning_points", {"system": system, "parameters": numbers})
                 known = {name: mpmath.mpf(repr(one)) for name, one in numbers.items()} | {"c": mpmath.mpf(repr(start))}
+                known["h"] = value(text, known | {"x": known["c"]})
                 x = value(answer["exact"][end]["text"], known)
                 self.assertLess(abs(x - answer[end]), 1e-12)
                 self.assertLess(abs(value(text, known | {"x": x}) - value(text, known | {"x": known["c"]})), 1e-20, (text, answer["exact"][end]))

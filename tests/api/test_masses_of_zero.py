@@ -1,4 +1,4 @@
-"""What small and negative masses, and poles of positions, are told of."""
+"""What answers say of small and negative masses, and of poles of positions."""
 
 import pathlib
 import sys

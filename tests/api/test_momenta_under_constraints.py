@@ -136,6 +136,19 @@ class Momenta(unittest.TestCase):
     def test_a_ball_on_a_turntable(self):
         self.assertLessEqual({"spin_z", "roll_y"}, self.names(rolling_ball("XYZ", turntable=True)))
 
+    def test_a_ball_in_a_cylinder_is_told_once_what_it_keeps(self):
+        wx, wy, wz = angular_velocity("ZXZ")
+        golf = scene("golf", "m kg 1.3; r m 0.1; R m 0.5; g m/s^2 9.81",
+                     "a rad 0.1 0.5; z m 0 0.2; phi rad 0.3 0.5; theta rad 0.7 0.4; psi rad 0.2 0.3")
+        golf |= {"bodies": [{"kind": "sphere", "mass": "m", "radius": "r",
+                             "centre": ["(R - r)*cos(a)", "(R - r)*sin(a)", "z"],
+                             "orientation": {"sequence": "ZXZ", "angles": ["phi", "theta", "psi"]}}],
+                 "gravity": ["0", "0", "-g"],
+                 "constraints": [{"name": "round", "expression": f"(R - r)*a_dot + r*({wz})"},
+                                 {"name": "down", "expression": f"z_dot + r*(({wx})*sin(a) - ({wy})*cos(a))"}]}
+        found, = asked([{"equations": {"system": golf}}])
+        self.assertEqual([q["name"] for q in found["conserved"]], ["energy", "momentum_a_phi", "boost_a_phi"])
+
     def test_a_coin_and_a_knife_keep_what_they_have_along_the_constraints(self):
         upright, sliding = self.check([coin(), knife()])
         self.assertEqual(upright["momentum_x_y_psi"]["value"], "3/2*m*r^2*psi_dot")

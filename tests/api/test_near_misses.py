@@ -128,6 +128,50 @@ class NearMisses(Service):
                 if abs(distance) > mpf("1e-4") or (abs(distance) > mpf("1e-12") and goal == {}):
                     self.assertFalse(is_told, (distance, goal))
 
+    def test_a_floor_that_jumps_far_below_is_none(self):
+        """Down two stairs: at the edge of the first the distance jumps, and is far from zero on both sides and between."""
+        for x, v in (("0.12", "0.81"), ("0.06", "0.77"), ("0.3", "0.6")):
+            scene = lagrangian("stairs", "", f"x - {x} {v}; y - 1.04 0", "(x_dot^2 + y_dot^2)/2 - 9.81*y",
+                               events=[{"name": "hit", "expression": "y - 0.1*(1 + sign(1 - x))", "direction": "falling"}],
+                               impacts=[{"event": "hit", "map": {"y_dot": "-0.7*y_dot"}}])
+            answer = self.motion(scene, t_end=1.6, events=["hit"])
+            self.assertNotIn("reason", answer["accuracy"])
+            first = mpmath.sqrt(2*mpf("0.84")/mpf("9.81"))
+            self.assertLessEqual(abs(answer["events"][0]["t"] - first), answer["events"][0]["error"])
+            self.judge(answer, lambda t, x=mpf(x), v=mpf(v): {"x": x + v*t}, (x,))
+            self.assertGreater(len(answer["events"]), 1)
+
+    def test_impacts_that_accumulate_may_be_one_more_or_less(self):
+        """A ball in the trough of a parabola: both computations lose sight of the last flights, at different ones."""
+        for x, v in (("-0.33", "-0.38"), ("0.49", "-0.24"), ("0.2", "0.3")):
+            scene = lagrangian("trough", "", f"x - {x} {v}; y - 1.74 0", "(x_dot^2 + y_dot^2)/2 - 9.81*y",
+                               events=[{"name": "hit", "expression": "y - x^2", "direction": "falling"}],
+                               impacts=[{"event": "hit", "restitution": "0.5"}])
+            answer = self.motion(scene, t_end=2, events=["hit"])
+            self.assertEqual(answer["stop"]["reason"], "impacts_accumulate")
+            self.assertNotIn("reason", answer["accuracy"])
+
+    def test_two_conditions_that_fail_within_an_instant(self):
+        """x = t, y = 2 t: which is the first to fail is told, or in doubt, and the time is within its error."""
+        told = 0
+        for t_start in (0, -40, 700):
+            for gap in ("1e-6", "3e-13", "7e-15", "1e-17", "-1e-17", "-7e-15", "-3e-13", "-1e-6"):
+                for second in ("{} - y", "sign({} - y)"):
+                    other = second.format(mpmath.nstr(2*(mpf("1.7") + mpf(gap)), 25))
+                    scene = lagrangian("falling", "", "x - 0 1; y - 0 2", "x_dot^2/2 + y_dot^2/2",
+                                       valid_while=[{"name": "p", "expression": "1.7 - x", "reason": "by_p", "message": "m"},
+                                                    {"name": "q", "expression": other, "reason": "by_q", "message": "m"}])
+                    answer = self.motion(scene, t_start=t_start, t_end=t_start + 3)
+                    stop, reason = answer["stop"], answer["accuracy"].get("reason", "")
+                    if stop.get("error") is not None:
+                        self.assertLessEqual(abs(mpf(stop["t"]) - t_start - mpf("1.7") - min(mpf(gap), 0)), mpf(stop["error"]), answer)
+                    if not reason:
+                        self.assertEqual(stop["reason"], "by_p" if mpf(gap) > 0 else "by_q", (t_start, gap, second))
+                    told += bool(reason)
+                    if abs(mpf(gap)) > mpf("1e-9"):
+                        self.assertFalse(reason, (t_start, gap))
+        self.assertGreater(told, 10)
+
     def test_a_slanting_hit_of_a_corner_is_none(self):
         """A ball that falls from rest beside the middle of a circle. Its distance is a root, and would turn again within it."""
         g, radius, restitution = mpf("9.81"), mpf("0.2"), mpf("0.7")

@@ -270,7 +270,7 @@ class FreeBodies(Service):
             a2 = math.sqrt((l_squared - two_e * i1) / (i2 * (i2 - i1)))
             rate = math.sqrt((i2 - i1) * (two_e * i3 - l_squared) / (i1 * i2 * i3))
             k = 1 / k
-        # at which phase it starts: sn there is w2/a2, and which way w2 goes on is told by Euler's equation
+        # at which phase it starts: sn there is w2/a2, and Euler's equation says which way w2 goes on
         grid = numpy.linspace(0, 4 * ellipk(k), 400001)
         wave = a2 * ellipj(grid, k)[0]
         slope = (i3 - i1) * w[2] * w[0] / i2

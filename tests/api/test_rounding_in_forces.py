@@ -1,6 +1,6 @@
 """Forces that are small differences of large numbers: what rounding leaves of them all computations of a motion have in
 common. The truths are closed forms: an oscillator after a Gaussian pulse whose square is written out, and forces that are
--x but for (a x)^2 where nothing is rounded."""
+-x up to terms of (a x)^2 where nothing is rounded."""
 
 import pathlib
 import sys
@@ -49,7 +49,7 @@ class RoundingInForces(Service):
                     self.judge(self.ask(force, "", 0, 8.65, goal), truth)
 
     def test_of_a_motion_whose_damping_rules_its_steps(self):
-        """x'' = -c x' - x^2 from rest creeps as 1/x = 1 + (t - 1/c)/c but for 1/c^3."""
+        """x'' = -c x' - x^2 from rest creeps as 1/x = 1 + (t - 1/c)/c up to terms of 1/c^3."""
         for c in (20000, 100000, 1000000):
             true = 1/(1 + (1 - mpf(1)/c)/c)
             for goal in ({}, {"accuracy": "accurate"}, {"method": "bdf", "rtol": 1e-8}):
@@ -141,7 +141,7 @@ class RoundingInForces(Service):
                         self.assertLessEqual(abs(mpf(stop["t"]) - mpmath.acos(mpf(wall))), mpf(stop["error"]), request)
 
     def test_growth_from_where_doubles_leave_nothing_of_the_force(self):
-        """x'' = c*x but for x^2, and a push p: x = (x0 + p/c)*cosh(sqrt(c)*t) - p/c up to 1e-5 or so."""
+        """x'' = c*x up to terms of x^2, and a push p: x = (x0 + p/c)*cosh(sqrt(c)*t) - p/c up to 1e-5 or so."""
         told = 0
         for force, c in (("20*(exp(x) - 1)", 20), ("20*log(1 + x)", 20), ("20*(sqrt(1 + 2*x) - 1)", 20), ("20*(1 - exp(-x))", 20),
                          ("18*x + 3*(abs(x - 0.5) - 0.5)", 15)):

@@ -10,7 +10,7 @@ import numpy
 
 sys.path.append(str(pathlib.Path(__file__).resolve().parents[1] / "support"))
 from constrained_scenes import DOUBLE_PENDULUM, coordinates, parameters  # noqa: E402
-from service import Service  # noqa: E402
+from service import Service, strict_json  # noqa: E402
 
 mp.mp.dps = 30
 
@@ -148,7 +148,8 @@ class SeveralImpacts(Service):
 
         for end, t_end, scene in (
                 (2.97819473131, 3, stacked(("1.115", "2.899"), ("0.245", "0.491"), "-0.041", "2.699", ("0.9", "0.8"))),
-                (7.28240419374, 12, stacked(("1.896", "1.337"), ("0.170", "0.438"), "0.697", "1.949", ("0.8", "0.9")))):
+                (7.28240419374, 12, stacked(("1.896", "1.337"), ("0.170", "0.438"), "0.697", "1.949", ("0.8", "0.9"))),
+                (1.92415746982, 12, stacked(("1.543", "0.343"), ("0.114", "0.525"), "0", "7.377", ("0.282", "0.837")))):
             answer = self.ask("simulate", {"system": scene, "t_end": t_end, "samples": 4, "events": ["floor", "between"]})
             self.assertEqual(answer["stop"]["reason"], "impacts_accumulate")
             self.assertIn("left out", answer["stop"]["message"])
@@ -160,6 +161,26 @@ class SeveralImpacts(Service):
         answer = self.ask("turning_points", {"system": ROOM, "coordinate": "x", "t_end": 10})
         self.assertAlmostEqual(answer["x_max"], 2, 12)
         self.assertAlmostEqual(answer["x_min"], 0, 12)
+
+    def test_a_motion_that_ends_with_an_impact_does_not_doubt_it(self):
+        ball = {"name": "ball", "units": "none", "coordinates": [{"name": "x", "initial": "1"}],
+                "lagrangian": "x_dot^2/2 - 9.81*x"} | bounces(("floor", "x"), restitution="0.9")
+        ball["events"][0]["direction"] = "falling"
+        for request in ({"system": "compass_walker", "steps": 3, "t_end": 30, "events": ["heel_strike"]},
+                        {"system": ball, "steps": 3, "events": ["floor"]}, {"system": ball, "steps": 3}):
+            answer = self.ask("simulate", {"samples": 3, **request})
+            self.assertEqual(len(answer["events"]), 3)
+            self.assertEqual(answer["events"][-1]["t"], answer["t_reached"])
+            self.assertNotIn("reason", answer["accuracy"])
+
+    def test_a_map_without_a_value_is_no_mistake_of_the_start(self):
+        scene = {"name": "ball", "units": "none", "coordinates": [{"name": "x", "initial": "1"}, {"name": "y", "initial": "1"}],
+                 "lagrangian": "(x_dot^2 + y_dot^2)/2 - 9.81*x", "events": [{"name": "floor", "expression": "x"}],
+                 "impact": {"event": "floor", "map": {"x_dot": "1/y_dot"}}}
+        response = self.post("simulate", {"system": scene, "t_end": 3})
+        problem = strict_json(response.data)
+        self.assertEqual(problem["type"], "/errors/not-applicable")
+        self.assertIn("Where 'floor' happens, at t = 0.451524, the impact's map has no finite value", problem["detail"])
 
     def test_mistakes_are_told_at_their_places(self):
         one = {"event": "left", "restitution": "e"}

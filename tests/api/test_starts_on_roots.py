@@ -1,5 +1,5 @@
 """A body that is let go from rest where the function of an event or a condition is zero: along the motion that zero is a
-double one, which rounding hides for a while. What happens later is told all the same."""
+double one, which rounding hides for a while. What happens later is found all the same."""
 
 import math
 import pathlib

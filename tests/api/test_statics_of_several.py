@@ -139,6 +139,15 @@ class Families(Service):
             self.assertEqual((found["equilibria"], found["complete"]), ([], False))
             self.assertIn("Adding the same to x, y and z changes no force", found["reason"])
 
+    def test_what_turns_together_in_a_ratio_is_a_family(self):
+        for slipped, told in (("a - 2*b", "da = 2 and db = 1"), ("a - n*b", "da = n and db = 1"),
+                              ("r*a - n*b - 1", "da = n and db = r")):
+            gears = lagrangian("gears", "k - 10; n - 3; r - 0.7", "a - 0.1; b - 0.2",
+                               f"a_dot^2/2 + b_dot^2 - k*({slipped})^2/2")
+            found = self.ask("equilibria", {"system": gears})
+            self.assertEqual((found["equilibria"], found["complete"]), ([], False))
+            self.assertIn(f"The small change {told} changes no force", found["reason"])
+
     def test_a_force_that_is_never_zero(self):
         drag = lagrangian("fall", "g - 9.81", "x - 0; y - 0", "x_dot^2/2 + y_dot^2/2 - g*y",
                           dissipation="x_dot^2/2 + y_dot^2/2")

@@ -1,4 +1,4 @@
-"""Messages that lead on: what a stranger writes wrong is told so that the next try is right."""
+"""Messages that lead on: what a stranger writes wrong is explained so that the next try is right."""
 
 import pathlib
 import sys

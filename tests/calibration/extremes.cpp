@@ -64,9 +64,8 @@ void strong_damping(List& list) {
   }
   const Values stiff{{"m", 0.5}, {"b", 1e3}, {"k", 8}, {"x", 0.2}, {"x_dot", 1}};
   for (const Method method : {Method::bdf, Method::adams, Method::erk}) {
-    list.add("Strong damping",
-             "oscillator, b/m = 2000 /s, method " + std::to_string(static_cast<int>(method)), patient,
-             asked_for("damped_oscillator", stiff, 20, 41))
+    list.add("Strong damping", "oscillator, b/m = 2000 /s, method " + std::string(record_of(method).name),
+             patient, asked_for("damped_oscillator", stiff, 20, 41))
         .request.method = method;
   }
 }

@@ -9,8 +9,8 @@ ROOT = pathlib.Path(__file__).resolve().parents[2]
 NAMED = re.compile(r"\bMethod::(\w+)")
 LIST = {"core/integrate/methods.hpp", "core/integrate/methods.cpp"}
 # Motions are computed by the first unless another is asked for, stiff ones by the second, and a second road for
-# what is short and smooth is the third; adams is what a request has before its method is set.
-CHOSEN = {"taylor", "bdf", "erk", "adams"}
+# what is short and smooth is the third.
+CHOSEN = {"taylor", "bdf", "erk"}
 
 
 def named(root=ROOT):

@@ -23,7 +23,7 @@ constexpr const char* method_of_bifurcations =
     "else it is 'unresolved'.";
 constexpr const char* cluster =
     "Not proven to be one point: round-off hides what happens within the error, and a kind other than "
-    "'unresolved' is told by the numbers of equilibria beside it.";
+    "'unresolved' follows from the numbers of equilibria beside it.";
 
 const char* kind_name(CriticalGait::Kind kind) {
   switch (kind) {

@@ -11,8 +11,8 @@ namespace qdot::api {
 
 struct BifurcationsRequest {
   SystemChoice system{};
-  std::string parameter{};
-  double from{}, to{};
+  std::string parameter{};  ///< its name in the scene
+  double from{}, to{};      ///< the range that is searched, ends included, in the parameter's unit
   std::optional<int> digits{};
 };
 

@@ -23,6 +23,9 @@ struct AnswerItem {
                                                          AskedOnce& asking, const Place& place,
                                                          Errors& errors);
 
+/// Reads what was submitted by the item's rules for numbers, units and lists, and compares it with what is
+/// expected, within the tolerance of the rule (core/grading/number_rule.hpp). Undecided where the error of
+/// the expected number leaves both open.
 [[nodiscard]] Verdict grade(const AnswerItem& item, const Json& submitted);
 
 }  // namespace qdot::api

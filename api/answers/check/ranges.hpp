@@ -32,7 +32,8 @@ struct KeyRange {
 /// A chosen value of each range, by name.
 using Choice = std::map<std::string, std::string>;
 
-/// The key with the values put in, and without `ranges`: a request of check but for what was submitted.
+/// The key with the values put in, and without `ranges`: a request of check without what was
+/// submitted.
 [[nodiscard]] std::variant<Json, SheetError> with_values(const Json& key, const std::vector<KeyRange>& ranges,
                                                          const Choice& choice);
 

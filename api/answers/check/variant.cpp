@@ -23,8 +23,8 @@ Json numbers_of(const Pointed& expected, const std::vector<double>& values) {
   return expected.is_list ? Json(values) : Json(values.front());
 }
 
-/// Each wrong answer that one slip gives in place of all expected numbers. A set is not told from its mirror
-/// image, nor a direction from its multiples.
+/// Each wrong answer that one slip gives in place of all expected numbers. A set counts as its
+/// mirror image, and a direction as its multiples.
 std::vector<Json> usual_wrong_answers(const AnswerItem& item) {
   std::vector<std::vector<std::pair<NumberSlip, double>>> slips;
   std::size_t count = item.grouping.any_scale ? 0 : 100;

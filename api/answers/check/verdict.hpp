@@ -1,5 +1,5 @@
 #pragma once
-// What became of one submission.
+// What became of one submission: correct, wrong, unreadable or undecided, and what the student is told.
 
 #include <optional>
 #include <string>

@@ -9,8 +9,8 @@ namespace qdot::api {
 
 struct EnergyRequest {
   SystemChoice system{};
-  double t{};
-  std::optional<int> digits{};
+  double t{};                   ///< the instant of the state, which forces may depend on [s]
+  std::optional<int> digits{};  ///< significant ones of the answer's numbers; none: all of a double
 };
 
 [[nodiscard]] const RequestTable<EnergyRequest>& energy_table();

@@ -41,6 +41,9 @@ class SolutionAnswer {
       put_stability(body, first.stability, digits_);
     }
     put_all(body, solution);
+    if (solution.may_be_two)
+      body["notes"] = Json{"Within the error of " + unknown_ +
+                           " there may be two values, one or none: rounding does not tell them apart."};
     if (solution.ranges) put_ranges(body, *solution.ranges);
     body["units"] = units();
     return body;

@@ -17,6 +17,9 @@ constexpr const char* undecided =
 constexpr const char* at_a_fold =
     "A multiplier is 1 within its error: other gaits may lie beside this one, and there may be none at all.";
 
+constexpr const char* not_all =
+    "Gaits are found from starts that are tried, and followed from each other; no proof excludes more of them.";
+
 bool may_be_at_a_fold(const Gait& gait) {
   for (std::size_t i = 0; i < gait.multipliers.size(); ++i) {
     if (std::abs(gait.multipliers[i] - 1.0) <= gait.multiplier_errors[i]) return true;
@@ -131,8 +134,8 @@ Response answer_gait(const Resolved<GaitRequest>& resolved, Call& call, Models& 
     gaits.push_back(answer.gait_json(gait));
     if (wants(call, "exact")) put_exact(gaits.back(), system, written_texts(request.system), gait);
   }
-  Json body{{"gaits", std::move(gaits)}};
-  if (found.gaits.empty()) body["reason"] = reason;
+  Json body{{"gaits", std::move(gaits)}, {"complete", false}};
+  body["reason"] = found.gaits.empty() ? reason : not_all;
   body["units"] = answer.units();
   return written_answer(call, system.scene(), system.echo, body, request.digits);
 }

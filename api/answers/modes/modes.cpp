@@ -288,7 +288,7 @@ void note_rates_left_out(const Model& model, const SystemChoice& choice, const R
                                                        : "nothing depends on where it is, and ");
     note += rolls ? "while it moves nothing is steady." : "its rate is left out.";
     if (!rolls && angles >= 3)
-      note += " A body's steady spin is told where its angle is the first in the sequence.";
+      note += " A body's steady spin is found where its angle is the first in the sequence.";
     body["notes"].push_back(std::move(note));
   }
 }

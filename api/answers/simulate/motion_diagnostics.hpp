@@ -1,5 +1,6 @@
 #pragma once
-// What a motion tells of itself beside its rows, as JSON: what it has kept, where it has stuck, its impacts.
+// What an answer says of a motion beside its rows, as JSON: what was conserved and how well, where and when
+// it stuck on a kink, and its impacts.
 
 #include <cstdint>
 
@@ -10,6 +11,7 @@ namespace qdot::api {
 
 /// `total_evaluations`: of all computations that the answer has taken.
 [[nodiscard]] Json diagnostics_json(const Simulation& motion, std::uint64_t total_evaluations);
+/// The stays on kinks, in order of time.
 [[nodiscard]] Json sticking_json(const Simulation& motion);
 [[nodiscard]] Json impacts_json(const Scene& scene, const Simulation& motion);
 

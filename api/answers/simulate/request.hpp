@@ -1,5 +1,5 @@
 #pragma once
-// /v1/simulate: a motion as columns.
+// /v1/simulate: a motion as columns, sampled at the instants that the request names.
 
 #include <cstdint>
 #include <optional>

@@ -38,7 +38,7 @@ SweptRow read_row(const Response& response, const std::vector<CollectedColumn>& 
 
 /// Asks one row as a client would ask it alone.
 Response asked_row(const SweepPlan& plan, std::size_t row, const std::vector<std::string>& wanted,
-                   const Call& call, const Handler& handler) {
+                   const Call& call, const Answering& answering) {
   const Submission submission = row_request(plan, row);
   const Request inner{.method = submission.road == Road::query ? "GET" : "POST",
                       .target = "/v1/" + std::string(plan.question->name),
@@ -48,9 +48,8 @@ Response asked_row(const SweepPlan& plan, std::size_t row, const std::vector<std
                       .work = call.request.work};
   Call one{.request = inner, .target = {.path = inner.target, .query = {}}};
   one.accepted = "application/json";
-  one.submission = &submission;
   if (!wanted.empty()) one.wanted = &wanted;
-  return handler(one);
+  return answering(submission, one);
 }
 
 /// Nobody waits at a service any more; but who ends a sweep on a machine of their own wants what there is.
@@ -67,7 +66,7 @@ SweptRows answered_rows(const SweepPlan& plan, const Call& call, const FindSyste
   if (plan.is_carried) carried.add(*plan.scene);
   Models own(plan.is_carried ? carried : models);
   const FindSystem same = [&plan](const Json&, const Place&, Errors&) { return plan.scene; };
-  const Handler handler = plan.question->question.handler(plan.is_carried ? same : find_system, own);
+  const Answering answering = plan.question->question.answering(plan.is_carried ? same : find_system, own);
   const std::vector<std::string> wanted = members_read(plan.columns);
   SweptRows answered{.rows = std::vector<SweptRow>(plan.swept.rows)};
   std::vector<std::string> units(plan.columns.size());
@@ -75,7 +74,7 @@ SweptRows answered_rows(const SweepPlan& plan, const Call& call, const FindSyste
   std::mutex mutex;
   const auto ask = [&](std::size_t i) {
     std::vector<std::string> own_units;
-    answered.rows[i] = read_row(asked_row(plan, i, wanted, call, handler), plan.columns, own_units);
+    answered.rows[i] = read_row(asked_row(plan, i, wanted, call, answering), plan.columns, own_units);
     const std::lock_guard lock(mutex);
     for (std::size_t column = 0; column < own_units.size(); ++column) {
       if (own_units[column].empty() || first[column] < i) continue;

@@ -1,5 +1,5 @@
 #pragma once
-// The rows of a sweep, answered.
+// The rows of a sweep, answered: each is asked as a client would ask it alone.
 
 #include <string>
 #include <vector>

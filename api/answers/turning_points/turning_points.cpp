@@ -327,7 +327,7 @@ class TurningPointsAnswer {
       return integration_failure(call_, scene(), found.ending, found.t, found.y);
     }
     body_["coordinate"] = coordinate().name;
-    put_motion(std::nullopt, "Kinds of motion are told by the energy integral; here " + why + ".");
+    put_motion(std::nullopt, "Kinds of motion follow from the energy integral; here " + why + ".");
     body_["method"] = "trajectory";
     put_extrema(found.maximum, found.minimum, found.initial);
     put_time("t_max", found.t_maximum, found.t_maximum_error);

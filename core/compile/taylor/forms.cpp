@@ -133,7 +133,7 @@ bool TaylorTranslation::is_needed(const Instruction& instruction) const {
   return false;
 }
 
-/// Of a mass matrix, but for a constant: a slot, or what it is a multiple of.
+/// Of a mass matrix, without a constant in it: a slot, or what it is a multiple of.
 TaylorTranslation::Form::Term TaylorTranslation::entry(Slot slot) const {
   const Form& form = forms_[slot];
   const bool is_multiple = is_sum_[slot] && form.products.empty() && form.terms.size() == 1;

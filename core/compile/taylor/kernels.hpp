@@ -68,7 +68,7 @@ struct BasicProduct {
   Number x_0{};  ///< factor x_0
   Number y_0{};  ///< factor y_0
 };
-/// M_ij = factor m, but for a constant; m null where M_ij is constant in time.
+/// M_ij = factor m + constant; m null where M_ij is constant in time.
 template <class Number>
 struct BasicEntry {
   Number factor{};

@@ -13,7 +13,7 @@
 // rho^m ||a|| max_j |b_j| g^j / (1-rho).  In the end r of an acceleration is the defect |p'' - a(t, p, p')|.
 // Where rows cannot tell (exp(-2500) = 0 and all its coefficients), the interval operation does.
 //
-// Rounding is left out (rounding.hpp has it), but for what it may hide: a function that has become 0 or
+// Rounding is left out (rounding.hpp has it), except for what it may hide: a function that has become 0 or
 // constant by it.
 // Sources: Makino, Berz, Taylor models and other validated functional inclusion methods, Int. J. Pure Appl.
 // Math. 4 (2003) 379; Neher, Jackson, Nedialkov, On Taylor model based integration of ODEs, SIAM J. Numer.

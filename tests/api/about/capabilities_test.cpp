@@ -49,7 +49,7 @@ TEST(Capabilities, EveryExampleIsAnswered) {
   EXPECT_GE(count, 80U);
 }
 
-/// Every question applies to every system, but for these: only the walker walks. The disk on its platform
+/// Every question applies to every system, except these: only the walker walks. The disk on its platform
 /// rests nowhere, whatever its parameters: it is driven outwards.
 TEST(Capabilities, AreThoseOfTheSystem) {
   for (const std::string& system : all_systems) {

@@ -10,9 +10,9 @@ namespace {
 
 /// A handler that answers with the echo.
 Response ask(const Request& request) {
-  const Handler handler = answering<EnergyRequest>(
+  const Handler handler = handler_of(answering<EnergyRequest>(
       energy_table(), find_example,
-      [](const Resolved<EnergyRequest>& read, Call& call) { return json_response(read.echo, call.layout); });
+      [](const Resolved<EnergyRequest>& read, Call& call) { return json_response(read.echo, call.layout); }));
   Call call{.request = request, .target = parse_target(request.target).value()};
   return handler(call);
 }

@@ -1,4 +1,4 @@
-// What is watched along a motion has a name by which doubts about it are told.
+// What is watched along a motion has a name, which messages about doubts use.
 
 #include "core/dynamics/watch.hpp"
 

@@ -26,6 +26,18 @@ TEST_F(FullTurn, LeavesCircularFunctionsOfWholeMultiplesAsTheyAre) {
   EXPECT_TRUE(turns("exp(sin(cos(x)))"));
 }
 
+TEST_F(FullTurn, ChangesTwoSignsOfHalfAnAngleToNoEffect) {
+  EXPECT_TRUE(turns("sqrt(k - sin(x/2)^2)"));
+  EXPECT_TRUE(turns("sin(x/2)*cos(3*x/2 + 1)/sqrt(y - cos(x/2)^2)"));
+  EXPECT_TRUE(turns("tan(x/2)*abs(sin(x/2))"));
+  EXPECT_TRUE(turns("(sin(x/2) - 2*cos(x/2))^2"));
+  EXPECT_FALSE(turns("sin(x/2)^3"));
+  EXPECT_FALSE(turns("(1 + sin(x/2))^2"));
+  EXPECT_FALSE(turns("exp(sin(x/2))"));
+  EXPECT_FALSE(turns("sin(x/3)^2"));
+  EXPECT_FALSE(turns("x*sin(x/2)^2"));
+}
+
 TEST_F(FullTurn, ChangesEverythingElse) {
   EXPECT_FALSE(turns("x"));
   EXPECT_FALSE(turns("sin(x) + x^2"));

@@ -167,6 +167,7 @@ TEST(SimplifyQuotient, CancelsWhatBothShare) {
   EXPECT_EQ(quotient("m*(1 - cos(theta)^2)", "m^2*sin(theta)"), "sin(theta)/m");
   EXPECT_EQ(quotient("0", "x"), "0");
   EXPECT_EQ(quotient("x", "m + mu*m*sin(phi)^2"), "x/(m*(1 + mu*sin(phi)^2))");
+  EXPECT_EQ(quotient("g - g*l0/k", "3*x*(k - l0) + m*(k - l0)*cos(phi)"), "g/(k*(3*x + m*cos(phi)))");
 }
 
 TEST(OperationCount, IsThatOfTheWrittenForm) {

@@ -1,4 +1,5 @@
-// Gauss's method: its order, its symmetry, its symplecticity, and how it ends.
+// Gauss's method beyond what every method of a fixed step promises (fixed_steps_test.cpp): its symmetry, its
+// invariants, its two iterations, and how it ends.
 
 #include <gtest/gtest.h>
 
@@ -17,32 +18,6 @@ using namespace integrate_test;
 
 RunRequest request_with(double h, std::vector<double> y_start, double t_end) {
   return {.y_start = std::move(y_start), .t_end = t_end, .method = Method::gauss, .h = h};
-}
-
-/// theta and theta' after some time, from rest at theta = 2.
-double error_at_end(double h, double t_end) {
-  const auto run = integrated(pendulum(), request_with(h, {2, 0}, t_end));
-  const auto exact = released_pendulum(t_end, 2);
-  return std::max(std::abs(run.y[0] - exact[0]), std::abs(run.y[1] - exact[1]));
-}
-
-TEST(Gauss, HasOrderSixAsTheStepIsHalved) {
-  for (double h = 0.5; h > 0.04; h /= 2) {
-    const double order = std::log2(error_at_end(h, 8) / error_at_end(h / 2, 8));
-    EXPECT_NEAR(order, 6, 0.2) << h;
-  }
-  EXPECT_LT(error_at_end(1.0 / 64, 8), 1e-13);
-}
-
-TEST(Gauss, DenseOutputHasTheOrderOfTheSteps) {
-  const auto error = [](double h) {
-    const std::vector<double> grid = equal_grid(0, 8, 97);
-    RunRequest request = request_with(h, {2, 0}, 8);
-    request.grid = grid;
-    return largest_error(integrated(pendulum(), request), grid,
-                         [](double t) { return released_pendulum(t, 2); });
-  };
-  for (double h = 0.5; h > 0.1; h /= 2) EXPECT_NEAR(std::log2(error(h) / error(h / 2)), 6, 0.3) << h;
 }
 
 TEST(Gauss, GoesBackTheWayItCame) {
@@ -64,45 +39,6 @@ TEST(Gauss, KeepsQuadraticInvariantsToRoundOff) {
   ASSERT_EQ(run.ending, Ending::reached_end);
   EXPECT_EQ(run.steps, 100'000u);
   EXPECT_NEAR(run.y[0] * run.y[0] + run.y[1] * run.y[1], 1, 1e-12);
-}
-
-TEST(Gauss, StepsAreThoseOfAShorterRunAndTheLastOneEndsAtTheEnd) {
-  const RightHandSide system = pendulum();
-  const auto times = [&](double h, double t_end) {
-    const RunRequest request = request_with(h, {2, 0}, t_end);
-    const auto stepper = make_stepper(system, request);
-    std::vector<double> t;
-    while (stepper->t() < t_end && !stepper->step()) t.push_back(stepper->t());
-    return t;
-  };
-  EXPECT_EQ(times(0.3, 1), (std::vector<double>{0.3, 0.6, 0.3 * 3, 1}));
-  EXPECT_EQ(times(0.1, 0.7).size(), 7u);  // 7 * 0.1 > 0.7, by round-off only
-  EXPECT_EQ(times(0.1, 0.7).back(), 0.7);
-  EXPECT_EQ(times(5, 1), std::vector<double>{1});
-  const auto shorter = integrated(system, request_with(0.3, {2, 0}, 0.6));
-  RunRequest longer = request_with(0.3, {2, 0}, 1);
-  const std::vector<double> grid{0.6};
-  longer.grid = grid;
-  EXPECT_EQ(integrated(system, longer).states, shorter.y);
-}
-
-TEST(Gauss, RowsDoNotChangeTheSteps) {
-  RunRequest request = request_with(0.25, {2, 0}, 10);
-  const auto alone = integrated(pendulum(), request);
-  const std::vector<double> grid = equal_grid(0, 10, 333);
-  request.grid = grid;
-  const auto sampled = integrated(pendulum(), request);
-  EXPECT_EQ(sampled.y, alone.y);
-  EXPECT_EQ(sampled.steps, alone.steps);
-  EXPECT_GT(sampled.evaluations, alone.evaluations);
-}
-
-TEST(Gauss, EventsAreFoundWithinItsSteps) {
-  RunRequest request = request_with(0.05, {2, 0}, 10);
-  request.events = {{.value = [](double, auto y) { return y[0]; }, .direction = Crossing::falling}};
-  const auto run = integrated(pendulum(), request);
-  ASSERT_FALSE(run.events.empty());
-  EXPECT_NEAR(run.events[0].t, quarter_period(2), 1e-10);
 }
 
 /// x'' = -w^2 x, stiff for a step of many periods.
@@ -155,24 +91,6 @@ TEST(Gauss, RestsInAnEquilibriumThatOnlyRoundOffDisturbs) {
     EXPECT_EQ(run.ending, Ending::reached_end) << theta;
     EXPECT_NEAR(run.y[0], 0.1, 1e-14);
   }
-}
-
-TEST(Gauss, RefusesAStepThatMeansNothing) {
-  EXPECT_THROW((void)integrated(pendulum(), request_with(0, {1, 0}, 1)), std::invalid_argument);
-  EXPECT_THROW((void)integrated(pendulum(), request_with(-1, {1, 0}, 1)), std::invalid_argument);
-}
-
-TEST(Gauss, StepsAndEvaluationsAreBounded) {
-  RunRequest request = request_with(0.01, {1, 0}, 10);
-  request.limits.max_steps = 10;
-  auto run = integrated(pendulum(), request);
-  EXPECT_EQ(run.ending, Ending::step_limit);
-  EXPECT_EQ(run.steps, 10u);
-  request.limits = {};
-  request.limits.max_evaluations = 100;
-  run = integrated(pendulum(), request);
-  EXPECT_EQ(run.ending, Ending::step_limit);
-  EXPECT_LE(run.evaluations, 100u);
 }
 
 }  // namespace

@@ -27,6 +27,14 @@ inline const std::vector<Method> all_methods = [] {
   return found;
 }();
 
+inline const std::vector<Method> methods_of_fixed_step = [] {
+  std::vector<Method> found;
+  for (const MethodRecord& record : methods()) {
+    if (record.has_fixed_step()) found.push_back(record.method);
+  }
+  return found;
+}();
+
 inline std::string_view name(Method method) { return record_of(method).name; }
 
 /// A right-hand side from two functions that always have values.

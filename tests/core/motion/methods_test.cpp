@@ -41,7 +41,7 @@ TEST_P(Methods, AgreeOnTheMotion) {
 
 TEST_P(Methods, ComeNearerWithATighterTolerance) {
   const Simulation best = motion(test::best_method, test::best_tolerances);
-  constexpr double round_off = 1e-11;  // where a motion is exact but for this, it cannot come nearer
+  constexpr double round_off = 1e-11;  // where a motion is exact up to this, it cannot come nearer
   constexpr double at_least = 3;       // a hundred times would be ideal; orders and steps change in jumps
   for (const Method method : test::all_methods) {
     const double coarse = test::difference(motion(method, {1e-5, 1e-7}), best);

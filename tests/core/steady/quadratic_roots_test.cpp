@@ -43,6 +43,15 @@ TEST(QuadraticRoots, OfASquareAreOppositeOrOneZero) {
   EXPECT_TRUE(roots(0, 0, 1).values[0].contains(0.0));
 }
 
+TEST(QuadraticRoots, TooNearToBeToldApartAreOneThatHoldsBoth) {
+  const QuadraticRoots found = roots(2.3 * (2.3 + 1e-10), -(4.6 + 1e-10), 1);
+  ASSERT_EQ(found.values.size(), 1u);
+  EXPECT_TRUE(found.may_be_two);
+  EXPECT_TRUE(found.values[0].contains(2.3));
+  EXPECT_TRUE(found.values[0].contains(2.3 + 1e-10));
+  EXPECT_FALSE(roots(6, -5, 1).may_be_two);
+}
+
 TEST(QuadraticRoots, SayWhyThereAreNone) {
   EXPECT_EQ(roots(1, 1, 1).outcome, Outcome::not_real);
   EXPECT_EQ(roots(8, 0, 2).outcome, Outcome::negative_square);

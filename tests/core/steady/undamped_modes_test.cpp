@@ -1,5 +1,5 @@
-// Modes that damping leaves alone: their rate is 0 exactly, which is proven by their direction, and what they
-// do then is told.
+// Modes that damping leaves alone: their rate is 0 exactly, which is proven by their direction, and the
+// answer says what they do then.
 
 #include <gtest/gtest.h>
 

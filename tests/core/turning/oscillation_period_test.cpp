@@ -161,5 +161,21 @@ TEST(TurningPoints, OfRestAtAKinkAreTheKinkWithItsStability) {
   EXPECT_EQ(*slope.maximum.value, 0);
 }
 
+TEST(TurningPoints, FromRestALastDigitBesideAnUnstableEquilibriumAreFarAway) {
+  const struct {
+    double start, other;
+    std::string zeros;
+  } cases[] = {
+      {0.25, 1.25, "(x/a - 1.25)*(x/a - 0.25)*(x/a - 0.24999999999999994448884876874217)"},
+      {1.25, 2.25, "(x/a - 2.25)*(x/a - 1.25)*(x/a - 1.24999999999999977795539507496869)"},
+      {1000.25, 1001.25, "(x/a - 1001.25)*(x/a - 1000.25)*(x/a - 1000.2499999999998863131622783839702606)"}};
+  for (const auto& [start, other, zeros] : cases) {
+    const TurningPoints found = on("x", "u*" + zeros, start, 0);
+    EXPECT_EQ(found.motion, MotionKind::libration);
+    expect_within(found.maximum, other, 1e-12);
+    EXPECT_EQ(*found.minimum.value, start);
+  }
+}
+
 }  // namespace
 }  // namespace qdot

@@ -224,10 +224,17 @@ TEST(TurningPoints, OfRest) {
   EXPECT_EQ(bottom.stability, "stable");
   EXPECT_EQ(*bottom.maximum.value, 0);
   EXPECT_EQ(*bottom.minimum.value, 0);
-  const TurningPoints top = points("plane_pendulum", {}, {{"theta", pi}});
+  const Start at_pi = start_of("plane_pendulum", {}, {{"theta", pi}});
+  Reals y = at_pi.y;
+  y.set(0, exact_pi);
+  const TurningPoints top = turning_points(dynamics_of("plane_pendulum"), at_pi.parameters, y);
   EXPECT_EQ(top.motion, MotionKind::equilibrium);
   EXPECT_EQ(top.stability, "unstable");
   EXPECT_EQ(*top.maximum.value, pi);
+  const TurningPoints beside = points("plane_pendulum", {}, {{"theta", pi}});  // a double is less than pi
+  EXPECT_EQ(beside.motion, MotionKind::separatrix);
+  expect_extremum(beside.minimum, -std::numbers::pi_v<long double>);
+  EXPECT_THAT(beside.minimum.reason, testing::HasSubstr("as far as double precision tells"));
   const TurningPoints weightless = points("plane_pendulum", {{"g", 0}}, {{"theta", 0.3}});
   EXPECT_EQ(weightless.motion, MotionKind::equilibrium);
   EXPECT_EQ(weightless.stability, "neutral");
