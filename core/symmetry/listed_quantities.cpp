@@ -4,7 +4,6 @@
 
 #include "core/base/error.hpp"
 #include "core/expr/calculus.hpp"
-#include "core/expr/rational_function.hpp"
 #include "core/mechanics/canonical.hpp"
 #include "core/symmetry/dependence.hpp"
 #include "core/symmetry/random_place.hpp"
@@ -61,11 +60,6 @@ std::vector<Expression> known_constants(const Lagrangian& lagrangian) {
   return p;
 }
 
-/// The same with one sign or the other, as a shift keeps what it keeps along constraints as well.
-bool is_same(const ConservedQuantity& a, const ConservedQuantity& b) {
-  return rational_function(a.value - b.value).is_zero() || rational_function(a.value + b.value).is_zero();
-}
-
 }  // namespace
 
 std::vector<ConservedQuantity> listed_quantities(const std::vector<Kept>& all, const Lagrangian& lagrangian) {
@@ -91,9 +85,7 @@ std::vector<ConservedQuantity> listed_quantities(const std::vector<Kept>& all, c
   }
   std::vector<ConservedQuantity> result;
   for (const Kept& one : all) {
-    const bool is_listed = std::ranges::any_of(
-        result, [&](const ConservedQuantity& other) { return is_same(one.quantity, other); });
-    if (!is_listed && std::ranges::find(left_out, &one) == left_out.end()) result.push_back(one.quantity);
+    if (std::ranges::find(left_out, &one) == left_out.end()) result.push_back(one.quantity);
   }
   return result;
 }
