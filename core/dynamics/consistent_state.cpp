@@ -181,13 +181,7 @@ class Consistency {
     }
   }
 
-  [[noreturn]] void undetermined() const {
-    std::string names;
-    for (const Constraint& c : scene_.constraints) names += (names.empty() ? "'" : ", '") + c.name + "'";
-    throw Error(ErrorCode::invalid_state,
-                "In this state the constraints " + names +
-                    " depend on each other or determine no forces, so the motion is undetermined.");
-  }
+  [[noreturn]] void undetermined() const { refuse_dependent_constraints(scene_); }
 
   const Scene& scene_;
   const ConstraintSurface& surface_;
@@ -197,6 +191,18 @@ class Consistency {
 };
 
 }  // namespace
+
+void refuse_dependent_constraints(const Scene& scene) {
+  if (scene.constraints.size() == 1)
+    throw Error(ErrorCode::invalid_state,
+                "In this state the constraint '" + scene.constraints[0].name +
+                    "' has no slope, or determines no force, so the motion is undetermined.");
+  std::string names;
+  for (const Constraint& c : scene.constraints) names += (names.empty() ? "'" : ", '") + c.name + "'";
+  throw Error(ErrorCode::invalid_state,
+              "In this state the constraints " + names +
+                  " depend on each other or determine no forces, so the motion is undetermined.");
+}
 
 Reals consistent_state(const Dynamics& dynamics, const Reals& parameters, double t, const Reals& y,
                        const std::vector<bool>& given) {

@@ -23,6 +23,9 @@ class InconsistentState : public Error {
   Nearest nearest_;
 };
 
+/// Throws Error(invalid_state): in this state they depend on each other, or one alone has no slope.
+[[noreturn]] void refuse_dependent_constraints(const Scene& scene);
+
 /// (q, q') as it is without constraints. With them, a state whose residuals are within 1e-12 of their terms,
 /// as decimals of 13 digits give them, is moved onto the surface to twice the digits of a double; any other
 /// is refused. Of the nearest state, what is `given` (2n, q then q') stays where that is possible. Throws

@@ -116,6 +116,19 @@ std::optional<Atom> most_shared_below(const Graph& graph, const Polynomial& poly
   return most->second.atom;
 }
 
+/// Of a sum with a minus before each of its terms: its opposite.
+std::optional<Expression> without_minus(const Expression& sum) {
+  const auto* own = std::get_if<Sum>(&sum.node());
+  if (own == nullptr) return std::nullopt;
+  std::vector<Expression> terms;
+  for (const NodeId id : own->terms) {
+    const Expression term(sum.graph(), id);
+    if (!split_coefficient(term).coefficient.is_negative()) return std::nullopt;
+    terms.push_back(-term);
+  }
+  return sum.graph().sum(terms);
+}
+
 /// polynomial = common (rest), with the number in front that makes the whole shortest.
 Expression with_common_factor(FactorLevel level, const Polynomial& polynomial, const Monomial& common) {
   const Number sign(all_negative(polynomial) ? -1 : 1);
@@ -127,7 +140,9 @@ Expression with_common_factor(FactorLevel level, const Polynomial& polynomial, c
     const Expression bracket = number.is_one()
                                    ? primitive(level.inside(), rest)
                                    : primitive(level.inside(), scaled(rest, {}, Number(1) / number));
-    const Expression candidate = (sign * number) * front * bracket;
+    const auto opposite = without_minus(bracket);
+    const Expression candidate =
+        (opposite ? -sign * number : sign * number) * front * opposite.value_or(bracket);
     const std::size_t cost = written_length(candidate);
     if (cost < least) {
       least = cost;
@@ -189,6 +204,8 @@ Expression best_grouped(FactorLevel level, const Polynomial& polynomial) {
 Expression squared_or_grouped(FactorLevel level, const Polynomial& polynomial) {
   if (polynomial.size() > 2) {
     if (const auto root = exact_root(polynomial)) return pow(factored_form(level, *root), Number(2));
+    if (const auto root = exact_root(scaled(polynomial, {}, -1)))
+      return -pow(factored_form(level, *root), Number(2));
   }
   return best_grouped(level, polynomial);
 }

@@ -1,8 +1,11 @@
 #include "core/mechanics/canonical.hpp"
 
 #include <algorithm>
+#include <utility>
 
+#include "core/base/error.hpp"
 #include "core/expr/linear.hpp"
+#include "core/expr/rational_function.hpp"
 #include "core/expr/simplify.hpp"
 #include "core/mechanics/jumps.hpp"
 
@@ -53,14 +56,51 @@ std::vector<Expression> kinetic_momenta(const Lagrangian& lagrangian, const std:
   return difference;
 }
 
-/// (p - a).A^-1 (p - a)/2: the determinant of A bordered by p - a, over -2 det A.
+/// v.adj(A) u: the opposite of the determinant of A bordered by u and v.
+Expression adjugate_form(const Matrix& a, const std::vector<Expression>& u,
+                         const std::vector<Expression>& v) {
+  Matrix bordered = a;
+  for (std::size_t k = 0; k < u.size(); ++k) bordered[k].push_back(u[k]);
+  bordered.push_back(v);
+  bordered.back().push_back(u[0].graph().number(0));
+  return -determinant(bordered);
+}
+
+/// By what sines and cosines say of each other, or in lowest terms, where that is shorter.
+Expression short_quotient(const Expression& above, const Expression& below) {
+  const Expression known = simplify_quotient(above, below);
+  try {
+    const Expression lowest = to_expression(above.graph(), rational_function(known));
+    return written_length(lowest) < written_length(known) ? lowest : known;
+  } catch (const Error& error) {
+    if (error.code() != ErrorCode::too_large) throw;
+    return known;
+  }
+}
+
+/// The terms with the momentum k apart from the others: those may have a factor that all together have not.
+Expression kinetic_beside(std::size_t k, std::vector<Expression> difference, const Matrix& mass,
+                          const Expression& divisor) {
+  Graph& graph = divisor.graph();
+  const Expression own = std::exchange(difference[k], graph.number(0));
+  std::vector<Expression> unit(difference.size(), graph.number(0));
+  unit[k] = graph.number(1);
+  const auto part = [&](const std::vector<Expression>& u, const std::vector<Expression>& v) {
+    return short_quotient(adjugate_form(mass, u, v), divisor);
+  };
+  return own * own * part(unit, unit) + Number(2) * own * part(unit, difference) +
+         part(difference, difference);
+}
+
+/// (p - a).A^-1 (p - a)/2.
 Expression kinetic_in_momenta(const std::vector<Expression>& difference, const QuadraticForm& form) {
-  Graph& graph = form.rest.graph();
-  Matrix bordered = form.mass;
-  for (std::size_t k = 0; k < difference.size(); ++k) bordered[k].push_back(difference[k]);
-  bordered.push_back(difference);
-  bordered.back().push_back(graph.number(0));
-  return simplify_quotient(-determinant(bordered), Number(2) * determinant(form.mass));
+  const Expression divisor = Number(2) * determinant(form.mass);
+  Expression best = simplify_quotient(adjugate_form(form.mass, difference, difference), divisor);
+  for (std::size_t k = 0; k < difference.size() && difference.size() > 1; ++k) {
+    const Expression apart = kinetic_beside(k, difference, form.mass, divisor);
+    if (written_length(apart) < written_length(best)) best = apart;
+  }
+  return best;
 }
 
 /// The groups of velocities that A couples with each other, by their places in it.
@@ -110,20 +150,23 @@ std::optional<Expression> kinetic_energy(const std::vector<Expression>& differen
   return kinetic_in_momenta(difference, form);
 }
 
-/// T - L0, what is free of the momenta in T beside L0, or beside its part of T, where that is shorter: terms
-/// of the two may cancel.
+/// T - L0, with V in it as it is written or not, and what is free of the momenta in T beside L0, or beside
+/// its part of T: the shortest, since terms of the two may cancel.
 Expression joined_with_rest(const Expression& kinetic, const Lagrangian& lagrangian,
                             const QuadraticForm& form) {
   Graph& graph = kinetic.graph();
-  const Expression apart = kinetic - simplify(form.rest);
-  if (std::ranges::all_of(form.linear, &Expression::is_zero)) return apart;
-  std::vector<Replacement> zeros;
-  for (const Expression& p : momentum_symbols(lagrangian)) zeros.emplace_back(p, graph.number(0));
-  const Expression without = substitute(kinetic, zeros);
-  const Expression with_momenta = simplify(kinetic - without);
-  std::vector<Expression> forms{apart, with_momenta + simplify(without - form.rest)};
-  if (const auto& v = lagrangian.potential_energy; v && !depends_on(*v, lagrangian.symbols.coordinates.rate))
-    forms.push_back(with_momenta + simplify(without - (form.rest + *v)) + simplify(*v));
+  std::optional<Expression> v = lagrangian.potential_energy;
+  if (v && depends_on(*v, lagrangian.symbols.coordinates.rate)) v.reset();
+  std::vector<Expression> forms{kinetic - simplify(form.rest)};
+  if (v) forms.push_back(kinetic - simplify(form.rest + *v) + *v);
+  if (!std::ranges::all_of(form.linear, &Expression::is_zero)) {
+    std::vector<Replacement> zeros;
+    for (const Expression& p : momentum_symbols(lagrangian)) zeros.emplace_back(p, graph.number(0));
+    const Expression without = substitute(kinetic, zeros);
+    const Expression with_momenta = simplify(kinetic - without);
+    forms.push_back(with_momenta + simplify(without - form.rest));
+    if (v) forms.push_back(with_momenta + simplify(without - (form.rest + *v)) + simplify(*v));
+  }
   return *std::ranges::min_element(forms, {}, &written_length);
 }
 

@@ -47,9 +47,17 @@ void check_constraints(const Scene& scene, const Lagrangian& lagrangian) {
   const auto found = redundant_constraint(lagrangian.constraints);
   if (!found) return;
   const std::string& name = scene.constraints[found->constraint].name;
+  const std::string place = "/constraints/" + std::to_string(found->constraint);
+  const auto is_zero = [](const Expression& slope) { return simplify(slope).is_zero(); };
+  if (std::ranges::all_of(lagrangian.constraints[found->constraint].slope, is_zero)) {
+    throw SceneError({{place, "redundant",
+                       "The constraint '" + name +
+                           "' says nothing of the velocities, whatever they are, so that it has no force. "
+                           "Leave it out."}});
+  }
   const std::string others =
       found->repeats ? "'" + scene.constraints[*found->repeats].name + "'" : "those before it";
-  throw SceneError({{"/constraints/" + std::to_string(found->constraint), "redundant",
+  throw SceneError({{place, "redundant",
                      "The constraint '" + name + "' repeats or contradicts " + others +
                          ": what it says of the velocities follows from them, so its force is undetermined. "
                          "Leave one of them out."}});

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "core/base/error.hpp"
+#include "core/dynamics/consistent_state.hpp"
 #include "core/steady/inertia.hpp"
 #include "core/steady/mode_matrices.hpp"
 #include "core/steady/mode_search.hpp"
@@ -30,6 +31,16 @@ class SurfaceAnalysis {
     place_ =
         find_equilibrium(*whole_.dynamics, *whole_.statics, constants_, guess, EquilibriumSearch::nearest);
     return about_place(solved_slopes(slopes(), n_));
+  }
+
+  [[nodiscard]] bool constraints_are_independent(std::span<const Interval> q) {
+    put(q);
+    try {
+      return solved_slopes(slopes(), n_).dependent.size() == m_;
+    } catch (const Error& error) {
+      if (error.code() != ErrorCode::not_applicable) throw;
+      return false;
+    }
   }
 
   /// Whether what the constraints leave of the mass matrix has an inverse.
@@ -173,9 +184,14 @@ class SurfaceAnalysis {
 
 /// Where the search for a steady motion near the state y = (q, q') begins: x = (q, lambda).
 std::vector<double> guess_on_surface(const SurfaceStatics& whole, const Dynamics& dynamics,
-                                     const Reals& parameters, std::vector<double> y) {
+                                     const Reals& parameters, const std::vector<Ball>& constants,
+                                     std::vector<double> y) {
   const Reduction& reduction = whole.statics->reduction;
   const std::size_t total = y.size() / 2;
+  std::vector<Interval> q;
+  for (std::size_t k = 0; k < whole.coordinates; ++k) q.emplace_back(y[reduction.kept[k]]);
+  if (!SurfaceAnalysis(whole, constants, y).constraints_are_independent(q))
+    refuse_dependent_constraints(dynamics.model().scene);
   for (std::size_t k = 0; k < whole.coordinates; ++k) y[total + reduction.kept[k]] = 0;
   const std::vector<double> all = with_multipliers(dynamics, parameters, y);
   std::vector<double> guess;
@@ -183,20 +199,29 @@ std::vector<double> guess_on_surface(const SurfaceStatics& whole, const Dynamics
   return guess;
 }
 
-/// Of the first equilibrium that Newton's iteration finds from the way downhill and that is stable.
-std::optional<Modes> stable_downhill(const SurfaceStatics& whole, const std::vector<Ball>& constants,
-                                     const std::vector<double>& y, const std::vector<double>& start) {
+/// Whether the model holds there.
+bool is_valid(const Dynamics& dynamics, const Reals& parameters, const std::vector<double>& y) {
+  const Scene& scene = dynamics.model().scene;
+  for (std::size_t i = 0; i < scene.coordinates.size(); ++i)
+    if (!scene.coordinates[i].domain.contains(y[i])) return false;
+  if (scene.valid_while.empty()) return true;
+  const auto conditions = values_at(dynamics, validity_columns(dynamics.model()), parameters, 0, y);
+  return std::ranges::all_of(conditions, [](double c) { return c >= 0; });
+}
+
+/// About the equilibrium downhill of `start`, where one is there.
+std::optional<Modes> modes_downhill(const SurfaceStatics& whole, const std::vector<Ball>& constants,
+                                    const std::vector<double>& y, const std::vector<double>& start) {
   std::vector<double> numbers;
   for (const Ball& c : constants) numbers.push_back(c.value());
-  for (const std::vector<double>& place : places_downhill(whole, numbers, start)) {
-    try {
-      Modes found = SurfaceAnalysis(whole, constants, y).near(place).modes;
-      if (found.stability == Stability::stable) return found;
-    } catch (const Error& error) {
-      if (error.code() != ErrorCode::not_applicable) throw;
-    }
+  const auto low = lowest_downhill(whole, numbers, start);
+  if (!low) return std::nullopt;
+  try {
+    return SurfaceAnalysis(whole, constants, y).near(*low).modes;
+  } catch (const Error& error) {
+    if (error.code() != ErrorCode::not_applicable) throw;
+    return std::nullopt;
   }
-  return std::nullopt;
 }
 
 }  // namespace
@@ -219,14 +244,12 @@ Modes constrained_modes(const Dynamics& dynamics, const Reals& parameters, const
   std::vector<double> y(initial.begin(), initial.end());
   if (guess) std::ranges::copy(*guess, y.begin());
   const std::vector<Ball> constants = constants_on_surface(whole, dynamics, parameters, initial);
-  const std::vector<double> start = guess_on_surface(whole, dynamics, parameters, y);
-  try {
-    return SurfaceAnalysis(whole, constants, y).near(start).modes;
-  } catch (const Error& error) {
-    if (guess || error.code() != ErrorCode::not_applicable) throw;
-    if (auto found = stable_downhill(whole, constants, y, start)) return *std::move(found);
-    throw;
+  const std::vector<double> start = guess_on_surface(whole, dynamics, parameters, constants, y);
+  if (!guess) {
+    auto found = modes_downhill(whole, constants, y, start);
+    if (found && is_valid(dynamics, parameters, found->y)) return *std::move(found);
   }
+  return SurfaceAnalysis(whole, constants, y).near(start).modes;
 }
 
 }  // namespace qdot

@@ -26,10 +26,11 @@ struct SurfaceModes {
 [[nodiscard]] SurfaceModes surface_modes_at(const SurfaceStatics& whole, const std::vector<Ball>& constants,
                                             std::span<const Interval> x, const std::vector<double>& y);
 
-/// As normal_modes, of a model with constraints; but the equilibrium that Newton's iteration finds from the
-/// guess, whatever its stability, and only where it finds none the stable one downhill of `initial`. Mass,
-/// stiffness and rates are M, K and D above. Throws what surface_statics throws, and Error(not_applicable)
-/// where there is no equilibrium near. With constraints in the velocities those of rolling_modes.hpp.
+/// As normal_modes, of a model with constraints: about the equilibrium downhill of `initial` on their
+/// surface; where none is there, or one is guessed, about the one that Newton's iteration finds, whatever its
+/// stability. Mass, stiffness and rates are M, K and D above. Throws what surface_statics throws, and
+/// Error(not_applicable) where there is no equilibrium near. With constraints in the velocities those of
+/// rolling_modes.hpp.
 [[nodiscard]] Modes constrained_modes(const Dynamics& dynamics, const Reals& parameters, const Reals& initial,
                                       const std::optional<std::vector<double>>& guess = std::nullopt);
 

@@ -8,6 +8,7 @@
 #include "core/base/error.hpp"
 #include "core/base/short_number.hpp"
 #include "core/dynamics/missing_values.hpp"
+#include "core/steady/cones.hpp"
 #include "core/steady/free_direction.hpp"
 #include "core/steady/mode_matrices.hpp"
 #include "core/steady/mode_search.hpp"
@@ -25,12 +26,14 @@ class Analysis {
         statics_(dynamics.statics(parameters)),
         parameters_(parameters),
         constants_(parameters.as<Ball>()),
+        start_(initial),
         y_(initial.begin(), initial.end()) {
     smooth_ = dynamics.derived<SmoothForces>(
         "smooth forces", parameters, [](const Statics& statics) { return derive_smooth_forces(statics); });
     Balls at = initial.as<Ball>();
     for (const std::size_t k : statics_->reduction.kept) {
       y_[total() + k] = 0;  // steady motions are at rest
+      start_.set(total() + k, 0);
       at[total() + k] = 0;
     }
     add_momenta(at);
@@ -61,16 +64,48 @@ class Analysis {
   }
 
  private:
-  /// Newton's iteration does not end at a kink; where there are some, that may be why.
+  /// Newton's iteration does not end at a kink or a cone; where there are some, that may be why.
   [[nodiscard]] Equilibrium found_from(const std::vector<double>& guess, EquilibriumSearch search) const {
     try {
       return find_equilibrium(dynamics_, *statics_, constants_, guess, search);
     } catch (const Error& error) {
-      if (smooth_->kinks() == 0 || error.code() != ErrorCode::not_applicable) throw;
+      if (error.code() != ErrorCode::not_applicable) throw;
+      const SteadyProblem problem = steady_problem(dynamics_, parameters_, start_);
+      refuse_cones(problem, guess);
+      if (problem.forces->smooth.kinks() == 0) throw;
       throw Error(error.code(), std::string(error.what()) +
                                     " An abs() or a sign() in the forces has kinks; an equilibrium at one "
                                     "has no modes, and 'equilibria' lists it.");
     }
+  }
+
+  /// The system rests at one that holds it, wherever the search began; of others 'equilibria' knows more.
+  void refuse_cones(const SteadyProblem& problem, const std::vector<double>& guess) const {
+    for (const Cone& cone : cones_of(problem)) {
+      std::vector<double> place = guess;
+      bool is_guessed = true;
+      for (std::size_t j = 0; j < cone.place.size(); ++j) {
+        double& x = place[problem.forces->unknowns[j]];
+        is_guessed = is_guessed && cone.place[j].contains(x);
+        x = cone.place[j].middle();
+      }
+      if (cone.what != AtCone::held && !is_guessed) continue;
+      throw Error(
+          ErrorCode::not_applicable,
+          "At " + written(place) + " a distance in the forces is 0, where they have no single " +
+              "direction: " + (cone.what == AtCone::held ? "the system rests there, but " : "") +
+              "small motions have no frequency. 'equilibria' says " +
+              (cone.what == AtCone::held ? "whether it is stable." : "whether the system rests there."));
+    }
+  }
+
+  /// A place of the kept coordinates.
+  [[nodiscard]] std::string written(std::span<const double> x) const {
+    std::string place;
+    for (std::size_t i = 0; i < x.size(); ++i)
+      place += (i == 0 ? "" : ", ") + dynamics_.model().scene.coordinates[reduction().kept[i]].name + " = " +
+               short_number(x[i], 6);
+    return place;
   }
 
   void refuse_kink() const {
@@ -93,12 +128,9 @@ class Analysis {
     for (const double x : result_.y) y.push_back({x, 0, rounding * std::abs(x)});
     const std::string names = missing_values(dynamics_.model(), parameters_, std::nullopt, y);
     if (names.empty()) return;
-    std::string place;
-    for (const std::size_t i : reduction().kept) {
-      place += (place.empty() ? "" : ", ") + dynamics_.model().scene.coordinates[i].name + " = " +
-               short_number(result_.y[i], 6);
-    }
-    throw Error(ErrorCode::not_applicable, "The forces vanish at " + place +
+    std::vector<double> place;
+    for (const std::size_t i : reduction().kept) place.push_back(result_.y[i]);
+    throw Error(ErrorCode::not_applicable, "The forces vanish at " + written(place) +
                                                ", but there is no finite value of " + names +
                                                " there, so that nothing can rest. 'equilibria' lists where "
                                                "something does.");
@@ -240,6 +272,7 @@ class Analysis {
   std::shared_ptr<const SmoothForces> smooth_;
   Reals parameters_;
   Balls constants_;
+  Reals start_;  ///< `initial` with the kept coordinates at rest
   std::vector<double> y_;
   Equilibrium place_;
   SmallMotions reduced_{SquareMatrix<Ball>(0), SquareMatrix<Ball>(0), SquareMatrix<Ball>(0)};

@@ -1,6 +1,8 @@
 #pragma once
-// The way downhill on the surface of holonomic constraints: where a search for an equilibrium may start anew.
+// The way downhill on the surface of holonomic constraints, as core/steady/equilibrium.cpp goes down without
+// them: where the search for the stable equilibrium below a start begins.
 
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -8,11 +10,11 @@
 
 namespace qdot {
 
-/// Places x = (q, lambda) on the steepest way down from `start`, each a tenth of the coordinates' sizes
-/// after the one before it, up to where the forces along the surface turn against the way. `constants` are
-/// the reduction's.
-[[nodiscard]] std::vector<std::vector<double>> places_downhill(const SurfaceStatics& whole,
-                                                               std::span<const double> constants,
-                                                               std::span<const double> start);
+/// The place x = (q, lambda) that Newton's iteration with |K| on the surface comes to from `start`, each step
+/// brought back onto the surface and doing work downhill; `start` itself, brought onto the surface, where no
+/// force acts along it. No value where no end is reached. `constants` are the reduction's.
+[[nodiscard]] std::optional<std::vector<double>> lowest_downhill(const SurfaceStatics& whole,
+                                                                 std::span<const double> constants,
+                                                                 std::span<const double> start);
 
 }  // namespace qdot

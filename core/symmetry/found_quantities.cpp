@@ -12,6 +12,7 @@
 #include "core/symmetry/constrained_changes.hpp"
 #include "core/symmetry/listed_quantities.hpp"
 #include "core/symmetry/motion_in_space.hpp"
+#include "core/symmetry/shortened_change.hpp"
 #include "core/symmetry/symmetry_shape.hpp"
 
 namespace qdot {
@@ -86,19 +87,27 @@ class Wording {
 
   /// What the symmetry keeps; none where it says nothing about the motion.
   std::optional<Kept> quantity(const Symmetry& symmetry) const {
-    PointChange change = symmetry.change;
+    PointChange change = with_unit_of_time(symmetry.change, lagrangian_.symbols);
     if (changes_nothing(change)) return std::nullopt;  // a constraint, written once more
     const auto motion = motion_in_space(places_, lagrangian_.symbols, change, leading(symmetry));
     if (motion && motion->reversed) change = opposite(change);
+    change.gauge = gauge_on_constraints(change.gauge, lagrangian_);
     const Expression value = on_constraints(noether_quantity(lagrangian_, change));
     if (!moves(value) || !moves(put_on_surface(value))) return std::nullopt;
     const Words words = motion ? in_space(*motion) : in_coordinates(symmetry, change);
     const auto [kind, spread] = kind_of(search_, symmetry);
     const bool turns_bodies = motion && kind != KindOfChange::in_time && kind != KindOfChange::linear;
-    change.gauge = gauge_of_given(change);
+    change.gauge = gauge_on_constraints(gauge_of_given(change), lagrangian_);
     return Kept{{words.name, unit(value), value, sentence(words, change)},
                 turns_bodies ? KindOfChange::in_space : kind,
                 spread};
+  }
+
+  /// Whether what one symmetry keeps is what another keeps, times a constant: only constraints make it so.
+  [[nodiscard]] bool keep_the_same(const Kept& a, const Kept& b) const {
+    if (search_.on_constraints.empty()) return false;
+    return is_multiple(put_on_surface(a.quantity.value), put_on_surface(b.quantity.value),
+                       lagrangian_.symbols);
   }
 
  private:
@@ -129,7 +138,7 @@ class Wording {
 
   /// What the constraints leave of it: nothing that moves, where they alone say what it is.
   [[nodiscard]] Expression put_on_surface(const Expression& value) const {
-    if (on_surface_.empty()) return value;
+    if (search_.on_constraints.empty()) return value;
     Expression left = substitute(value, search_.on_constraints);
     for (const Replacement& coordinate : on_surface_) left = substitute(left, {&coordinate, 1});
     return simplify_by_degree(left, lagrangian_.symbols);
@@ -356,7 +365,9 @@ FoundQuantities found_quantities(const Model& model, const Lagrangian& lagrangia
   const Wording wording(model, search, lagrangian, replacements);
   std::vector<Kept> all;
   for (const Symmetry& symmetry : search.found) {
-    if (auto kept = wording.quantity(symmetry)) all.push_back(*std::move(kept));
+    auto kept = wording.quantity(symmetry);
+    const auto is_the_same = [&](const Kept& other) { return wording.keep_the_same(*kept, other); };
+    if (kept && std::ranges::none_of(all, is_the_same)) all.push_back(*std::move(kept));
   }
   result.quantities = listed_quantities(all, search.lagrangian);
   make_names_differ(result.quantities);

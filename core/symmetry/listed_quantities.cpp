@@ -4,10 +4,10 @@
 
 #include "core/base/error.hpp"
 #include "core/expr/calculus.hpp"
-#include "core/expr/rational_function.hpp"
 #include "core/mechanics/canonical.hpp"
 #include "core/symmetry/dependence.hpp"
 #include "core/symmetry/random_place.hpp"
+#include "core/symmetry/shortened_change.hpp"
 
 namespace qdot {
 namespace {
@@ -48,9 +48,9 @@ std::vector<bool> new_ones(const Lagrangian& lagrangian, const std::vector<Expre
   return std::vector<bool>(quantities.size(), true);
 }
 
-/// Momenta of ignorable coordinates, and what constraints keep at 0.
+/// Momenta of ignorable coordinates, and what constraints keep at 0 or constant.
 std::vector<Expression> known_constants(const Lagrangian& lagrangian) {
-  std::vector<Expression> p;
+  std::vector<Expression> p = integrals_of_constraints(lagrangian);
   for (const ConstraintEquation& constraint : lagrangian.constraints) {
     if (constraint.position) p.push_back(*constraint.position);
     p.push_back(constraint.rate);
@@ -58,11 +58,6 @@ std::vector<Expression> known_constants(const Lagrangian& lagrangian) {
   for (const std::size_t i : ignorable_coordinates(lagrangian))
     p.push_back(differentiate(lagrangian.lagrangian, lagrangian.symbols.coordinates.rate[i]));
   return p;
-}
-
-/// The same with one sign or the other, as a shift keeps what it keeps along constraints as well.
-bool is_same(const ConservedQuantity& a, const ConservedQuantity& b) {
-  return rational_function(a.value - b.value).is_zero() || rational_function(a.value + b.value).is_zero();
 }
 
 }  // namespace
@@ -76,7 +71,7 @@ std::vector<ConservedQuantity> listed_quantities(const std::vector<Kept>& all, c
   }
   std::ranges::stable_sort(measured, {}, [](const Kept* one) { return std::pair(one->kind, one->spread); });
   std::vector<const Kept*> left_out;
-  if (measured.size() > 1) {
+  if (!measured.empty()) {
     const std::vector<Expression> momenta = values;
     for (const Kept* one : measured) values.push_back(one->quantity.value);
     const std::vector<bool> is_new = new_ones(lagrangian, values);
@@ -90,9 +85,7 @@ std::vector<ConservedQuantity> listed_quantities(const std::vector<Kept>& all, c
   }
   std::vector<ConservedQuantity> result;
   for (const Kept& one : all) {
-    const bool is_listed = std::ranges::any_of(
-        result, [&](const ConservedQuantity& other) { return is_same(one.quantity, other); });
-    if (!is_listed && std::ranges::find(left_out, &one) == left_out.end()) result.push_back(one.quantity);
+    if (std::ranges::find(left_out, &one) == left_out.end()) result.push_back(one.quantity);
   }
   return result;
 }

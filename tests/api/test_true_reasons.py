@@ -61,6 +61,57 @@ class TrueReasons(Service):
                 self.assertEqual(place["stability"], "stable")
                 self.assertAlmostEqual(place["state"]["y"], lowest, delta=1e-12)
 
+    def test_modes_are_about_the_stable_place_downhill_though_an_unstable_one_is_nearer(self):
+        for curve, x, y, lowest in (("x^2 + y^2 - 1", "0.6", "0.8", -1), ("x^2/4 + y^2 - 1", "1.2", "0.8", -1),
+                                    ("(y - x^2)*(1 + x^2) - x^4/10", "0.1", "0.01", 0)):
+            with self.subTest(curve=curve, x=x):
+                place = self.ask("modes", {"system": on_curve(curve, x, y)})["equilibrium"]
+                self.assertEqual(place["stability"], "stable")
+                self.assertAlmostEqual(place["state"]["y"], lowest, delta=1e-12)
+        hinged = {"name": "rod", "units": "none", "bodies": [{"kind": "rigid_body", "mass": "1", "centre": ["x", "y"],
+                                                              "inertia": "1/3", "angle": "th"}],
+                  "gravity": ["0", "-9.81"],
+                  "coordinates": [{"name": "x", "initial": "0.1"}, {"name": "y", "initial": "0.99"},
+                                  {"name": "th", "initial": "0.1"}],
+                  "constraints": [{"name": "a", "expression": "x - sin(th)"}, {"name": "b", "expression": "y - cos(th)"}]}
+        answer = self.ask("modes", {"system": hinged})
+        self.assertEqual(answer["equilibrium"]["stability"], "stable")
+        self.assertAlmostEqual(answer["equilibrium"]["state"]["y"], -1, delta=1e-12)
+        self.assertAlmostEqual(answer["modes"][0]["omega"]**2, 9.81*3/4, delta=1e-12)
+
+    def test_where_no_force_acts_along_the_surface_nothing_goes_downhill(self):
+        top = self.ask("modes", {"system": on_curve("x^2 + y^2 - 1", "0", "1")})["equilibrium"]
+        self.assertEqual((top["state"]["y"], top["stability"]), (1, "unstable"))
+
+    def test_a_place_that_valid_while_forbids_is_not_gone_down_to(self):
+        pushed = on_curve("x^2 + y^2 - 1", "0.6", "0.8") | {
+            "valid_while": [{"name": "above", "expression": "y + 0.5", "reason": "below", "message": "It is below."}]}
+        self.assertEqual(self.ask("modes", {"system": pushed})["equilibrium"]["state"]["y"], 1)
+
+    def test_modes_at_a_cone_of_the_potential_speak_of_it(self):
+        frame = {"name": "Varignon", "units": "none", "coordinates": [{"name": "x", "initial": "0.3"}, {"name": "y", "initial": "0.3"}],
+                 "lagrangian": "(x_dot^2 + y_dot^2)/2 - 2*sqrt(x^2 + y^2) - sqrt((x - 1)^2 + y^2) - sqrt(x^2 + (y - 1)^2)"}
+        for place in ({}, {"equilibrium": {"x": 0, "y": 0}}):
+            detail = self.refused("modes", {"system": frame} | place)["detail"]
+            self.assertIn("At x = 0, y = 0 a distance in the forces is 0", detail)
+            self.assertIn("the system rests there", detail)
+        line = {"name": "line", "units": "none", "coordinates": [{"name": "x", "initial": "0.3"}],
+                "lagrangian": "x_dot^2/2 - 2*sqrt((x - 1)^2)"}
+        self.assertIn("An abs() or a sign() in the forces has kinks", self.refused("modes", {"system": line})["detail"])
+
+    def test_modes_where_constraints_depend_on_each_other_speak_of_those(self):
+        touching = {"name": "touching", "units": "none", "coordinates": [{"name": "x", "initial": "1"}, {"name": "y"}, {"name": "z"}],
+                    "bodies": [{"kind": "particle", "mass": "1", "position": ["x", "y", "z"]}], "gravity": ["0", "0", "-9.81"],
+                    "constraints": [{"name": "a", "expression": "x^2 + y^2 - 1"}, {"name": "b", "expression": "x - 1"}]}
+        for endpoint in ("modes", "energy"):
+            self.assertIn("the constraints 'a', 'b' depend on each other", self.refused(endpoint, {"system": touching})["errors"][0]["detail"])
+
+    def test_a_constraint_alone_depends_on_no_other(self):
+        for constraint, reason in (("sin(x)^2 + cos(x)^2 - 1", "'w' says nothing of the velocities"),
+                                   ("x^2", "the constraint 'w' has no slope")):
+            answer = self.refused("energy", {"system": on_curve(constraint, "0", "0")})
+            self.assertIn(reason, answer["errors"][0]["detail"])
+
     def test_a_momentum_is_constant_where_no_constraint_acts_along_it_either(self):
         system = {"name": "rolling", "units": "none", "lagrangian": "(x_dot^2 + y_dot^2 + z_dot^2)/2",
                   "coordinates": [{"name": name, "initial": "1"} for name in "xyz"],

@@ -92,9 +92,17 @@ TEST(Simplify, LeavesNoBracketWithAMinusInAllTerms) {
   Graph graph;
   const Expression e = simplify(parse("k*(x - l)*(-1/m - 1/g)", graph, names));
   EXPECT_EQ(print(e, Form::text, notation), "k*(1/m + 1/g)*(l - x)");
+  const Expression springs = simplify(parse("-k*(x^2 + l^2)/2 - m*(x - l)^2/2", graph, names));
+  EXPECT_EQ(print(springs, Form::text, notation), "-1/2*(m*(x - l)^2 + k*(l^2 + x^2))");
   const Polynomial sum = multiplied_out(parse("-m*x*l_dot - k*x*l_dot + theta_dot*x", graph, names));
   const std::vector<Expression> rates{graph.symbol("l_dot"), graph.symbol("theta_dot")};
   EXPECT_EQ(print(collected_form(graph, sum, rates), Form::text, notation), "x*(theta_dot - (m + k)*l_dot)");
+}
+
+TEST(Simplify, TakesOutAMinusBeforeASquare) {
+  Graph graph;
+  const Expression e = simplify(parse("k*(2*l*l0 - l0^2 - l^2)/2", graph, names));
+  EXPECT_EQ(print(e, Form::text, notation), "-1/2*k*(l - l0)^2");
 }
 
 TEST(Simplify, DoesNotLengthenASumOfProducts) {

@@ -83,6 +83,30 @@ TEST(Hamiltonian, OfACarriageOnTurningRailsHasNoTermsThatCancel) {
             "p_r*(p_r/(2*m) - l*w) + 1/2*(k - m*w^2)*r^2");
 }
 
+/// Two masses on a rod: 2 + M/m + m/M over m + M is (m + M)/(m M), which the terms without p_th do not share.
+TEST(Hamiltonian, PartsThatHaveAFactorOfTheirOwnAreShort) {
+  Scene scene;
+  scene.name = "dumbbell";
+  scene.parameters = {
+      {"m", "kg", "1", {}, "", ""}, {"M", "kg", "2", {}, "", ""}, {"l", "m", "0.7", {}, "", ""}};
+  scene.coordinates = {{"x", "m", "0", "0", "", {}, "", ""},
+                       {"y", "m", "0", "0", "", {}, "", ""},
+                       {"th", "rad", "0.3", "0", "", {}, "", ""}};
+  scene.points = {{"p", {"x", "y"}}, {"q", {"x + l*cos(th)", "y + l*sin(th)"}}};
+  scene.bodies = {Particle{"p", "m", {"p", {}}}, Particle{"q", "M", {"q", {}}}};
+  const auto model = build_model(scene);
+  EXPECT_EQ(
+      print(*hamiltonian(copied(model->lagrangian)), Form::text, notation_of(model->scene)),
+      "(1/(2*m) + 1/(2*M))*p_th^2/l^2 + (p_x^2 + p_y^2 + M*(p_y*cos(th) - p_x*sin(th))^2/m)/(2*(m + M)) "
+      "+ p_th*(p_x*sin(th) - p_y*cos(th))/(m*l)");
+}
+
+TEST(Hamiltonian, HasThePotentialAsItIsWritten) {
+  const auto model = test::model_of("spring_pendulum");
+  EXPECT_EQ(print(*hamiltonian(copied(model->lagrangian)), Form::text, notation_of(model->scene)),
+            "(p_l^2 + p_theta^2/l^2)/(2*m) + 1/2*k*(l - l0)^2 - m*g*l*cos(theta)");
+}
+
 class RouthsFunction : public test::SystemTest {};
 INSTANTIATE_TEST_SUITE_P(Systems, RouthsFunction,
                          testing::Values("free_spin_pendulum", "spherical_pendulum", "kepler",

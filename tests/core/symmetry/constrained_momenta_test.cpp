@@ -2,7 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <map>
+#include <vector>
 
 #include "core/expr/print/print.hpp"
 #include "core/symmetry/found_quantities.hpp"
@@ -51,6 +53,33 @@ TEST(ConstrainedMomenta, WhatAConstraintMakesZeroIsNoQuantityOfTheMotion) {
     EXPECT_TRUE(found.contains("boost_x_y")) << wire;
     EXPECT_FALSE(found.contains("symmetry_x_y")) << wire;
   }
+}
+
+/// A wheel that a force pulls without slipping.
+TEST(ConstrainedMomenta, WhatRollsStraightKeepsEachQuantityOnce) {
+  const auto found = found_in(R"json({"name": "wheel", "units": "none",
+    "parameters": [{"name": "J", "default": "1"}, {"name": "R", "default": "0.2"}, {"name": "F", "default": "3"}],
+    "coordinates": [{"name": "x"}, {"name": "th"}], "lagrangian": "(x_dot^2 + J*th_dot^2)/2",
+    "forces": [{"value": "F", "along": "x"}, {"value": "-F/3", "along": "th"}],
+    "constraints": [{"name": "roll", "expression": "x_dot - R*th_dot"}]})json");
+  std::vector<std::string> names, values;
+  for (const auto& [name, value] : found) {
+    names.push_back(name);
+    if (name != "h") values.push_back(value);
+  }
+  EXPECT_EQ(names, (std::vector<std::string>{"boost_x_th", "h", "momentum_x_th"}));
+  EXPECT_EQ(std::ranges::count(values, found.at("momentum_x_th")), 1);
+  EXPECT_EQ(found.at("h").find("1/2*R"), std::string::npos) << found.at("h");
+}
+
+TEST(ConstrainedMomenta, AConstraintShortensWhatItKeepsConstant) {
+  const auto found = found_in(R"json({"name": "pulleys", "units": "none",
+    "parameters": [{"name": "m1", "default": "2"}, {"name": "m2", "default": "3"}, {"name": "m3", "default": "1"}],
+    "coordinates": [{"name": "a", "initial": "2"}, {"name": "b", "initial": "3"}, {"name": "c", "initial": "3"}],
+    "lagrangian": "(m1*a_dot^2 + m2*b_dot^2 + m3*c_dot^2)/2 + 9.81*(m1*a + m2*b + m3*c)",
+    "constraints": [{"name": "string", "expression": "2*a + b + c - 10"}]})json");
+  EXPECT_NE(found.at("boost_a_c").find("m3*c"), std::string::npos) << found.at("boost_a_c");
+  EXPECT_EQ(found.at("boost_a_c").find("*b"), std::string::npos) << found.at("boost_a_c");
 }
 
 /// A ball of radius 1 and moments I1, I2, I3 that rolls on a plane, turned by X, Y and Z.
