@@ -20,7 +20,8 @@ std::string sentence(const Candidates& found, const std::string& u, const std::s
     case Obstacle::does_not_matter:
       return "Every value does: " + u + " does not matter at " + at + ".";
     case Obstacle::undefined:
-      return "The forces have no finite value at " + at + ".";
+      return "The forces have no single finite value at " + at +
+             ". Where a distance in them is 0 there, whole intervals of " + u + " may hold it.";
     case Obstacle::no_finite_value:
       return "No finite " + u + " holds " + held + ": to within rounding it is a position that " + u +
              " approaches as it grows without bound.";
