@@ -11,7 +11,7 @@ constexpr double of_coefficients = 4 * std::numeric_limits<double>::epsilon();
 constexpr double unseen = 64;  ///< times what g may be away: so far past zero and back it does not count
 constexpr int halvings_of_slopes = 60;
 constexpr int halvings_of_turns = 16;
-constexpr double part_of_depth = 0.25;  ///< of a parabola: with that above zero it is none
+constexpr double part_of_depth = 0.25;  ///< of a parabola: with less below zero it is none
 constexpr double first_part = 0x1p-40;  ///< of a way along which something is looked for
 constexpr double part_beside = 0.125;   ///< of a piece: what is a minimum over that counts
 
@@ -214,8 +214,13 @@ void ApproachSearch::pass_slowly(const Along& g, StepPolynomial& step) {
     set_rows(approach, step);
     return g.sign * request_.events[g.event].value(approach.t, approach.state_at(0));
   };
-  double value = value_after(turn);
-  for (int i = 0; i < halvings_of_turns && value > part_of_depth * depth; ++i) value = value_after(turn /= 2);
+  double value = value_after(turn), deepest = turn;
+  for (int i = 0; i < halvings_of_turns && value > -part_of_depth * depth; ++i) {
+    const double earlier = value_after(turn /= 2);
+    if (earlier < value) deepest = turn;
+    value = std::min(earlier, value);
+  }
+  (void)value_after(deepest);
   if (-value <= near) add(std::move(approach), step);
 }
 

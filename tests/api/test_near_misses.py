@@ -191,6 +191,10 @@ class NearMisses(Service):
             self.judge(answer, truth, (x,))
             self.assertNotIn("reason", answer["accuracy"], x)
             self.assertEqual(len(answer["events"]), 1)
+        # where the largest distance of the motion is large, too, and a parabola from the hit goes far through the circle
+        scene["events"][0]["expression"] = "sqrt((x - 0.04)^2 + (y - 0.13)^2) - 0.24"
+        answer = self.motion(scene, t_end=1.23, initial={"x": 0.59, "y": 1.19, "x_dot": -0.88}, events=["hit"])
+        self.assertNotIn("reason", answer["accuracy"])
 
     def test_of_what_ends_it(self):
         """Either the stop is right to its error, or it is said that there is none."""
