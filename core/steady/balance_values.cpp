@@ -1,6 +1,7 @@
 #include "core/steady/balance_values.hpp"
 
 #include <algorithm>
+#include <array>
 #include <map>
 
 #include "core/compile/tape_evaluator.hpp"
@@ -181,12 +182,23 @@ struct Nearby {
   return found;
 }
 
+/// Whether the functions have values at u, or just beside it, as a root has at the end of its domain.
+[[nodiscard]] bool have_values(const BalanceProblem& problem, const CompiledFunction& functions,
+                               const Interval& u) {
+  return std::ranges::any_of(std::array{u.lower, u.middle(), u.upper}, [&](double at) {
+    const Nearby values = values_nearby(problem, functions, {Ball(at)});
+    return std::ranges::all_of(values.at, &Interval::is_finite);
+  });
+}
+
 [[nodiscard]] bool satisfies_others(const BalanceProblem& problem, const Interval& u, std::size_t chosen) {
-  const Nearby values = values_nearby(problem, problem.polynomial->values, {Ball::of(u)});
+  const CompiledFunction& functions = problem.polynomial->values;
+  const Nearby values = values_nearby(problem, functions, {Ball::of(u)});
   for (std::size_t k = 0; k < values.near.size(); ++k) {
     if (k != chosen && !values.near[k].contains(0.0)) return false;
   }
-  return true;
+  const bool are_finite = std::ranges::all_of(values.at, &Interval::is_finite);
+  return are_finite || have_values(problem, functions, u);
 }
 
 /// The zeros of one force that are zeros of all.

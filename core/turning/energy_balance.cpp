@@ -95,10 +95,14 @@ Interval EnergyBalance::potential_rate_sharply(double x) {
   return is_whole(stiffness(x)) ? Interval::whole() : value(sharp_rate_, Ball(x)).interval();
 }
 
+/// A ball that is no larger than what twice the digits round: where it holds a kink, it has both slopes.
 Interval EnergyBalance::potential_rate_at_start() {
   const Interval rate = potential_rate(start());
-  if (!rate.contains(0.0) || is_whole(stiffness(start()))) return rate;
-  return intersection(rate, value(sharp_rate_, Ball::literal(x0_)).interval());
+  if (!rate.contains(0.0)) return rate;
+  const double radius = std::max(0x1p-100 * std::abs(x0_.value), 0x1p-1000);
+  const Ball x0 = Ball::literal(x0_) + Ball::of(Interval(-radius, radius));
+  const Interval sharp = value(sharp_rate_, x0).interval();
+  return sharp.is_finite() ? intersection(rate, sharp) : rate;
 }
 
 /// The formula of U' is silent about jumps of U, and takes one slope at a kink.

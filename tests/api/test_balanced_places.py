@@ -144,6 +144,17 @@ class BalancedPlaces(Service):
                 self.assertTrue(any(abs(one["k"] - float(held)) <= one["error"] for one in alone["all"]))
             self.assertEqual(len(alone["all"]) == 1, "two values, one or none" in str(alone.get("notes")))
 
+    def test_where_another_force_has_no_value_nothing_is_held(self):
+        for f, g, held in (("sqrt(k) - 3", "k + 4", []), ("log(k)", "(k - 1)*(k + 4)", [1]), ("sqrt(k - 2*x) - 1", "k^2 - 9", [3]),
+                           ("asin(k) - asin(0.5)", "(k - 0.5)*(k - 3)", [0.5]), ("sqrt(k)", "k*(k - 2)", [0])):
+            for one, other in ((f, g), (g, f)):
+                scene = {"name": "two", "units": "none", "parameters": [{"name": "k", "default": "1"}],
+                         "coordinates": [{"name": "x", "initial": "0.3"}, {"name": "y", "initial": "0.1"}],
+                         "lagrangian": "(x_dot^2 + y_dot^2)/2",
+                         "forces": [{"name": "f", "value": one, "along": "x"}, {"name": "g", "value": other, "along": "y"}]}
+                answer = self.ask("equilibria", {"system": scene, "solve_for": "k", "at": {"x": 1, "y": 1}})
+                self.assertEqual([round(found["k"], 9) for found in answer["all"]], held, (one, other))
+
     def test_what_may_rest_anywhere_has_no_formula(self):
         """Its number may be that of a parameter."""
         ring = "m*(a_dot^2 + b_dot^2 + c_dot^2)/2 - k*((a - b)^2 + (b - c)^2 + (c - a)^2)/2"
