@@ -37,6 +37,18 @@ class TurningPoints(Service):
         swings = self.ask("turning_points", {"system": lagrangian("wire", "m - 1; k - 3", "x - 1.5", "m*x^2*x_dot^2/2 - k*(x - 1)^2/2")})
         self.assertEqual(swings["motion"], "libration")
 
+    def test_from_rest_half_a_last_digit_beside_a_kinked_top(self):
+        """V = z^2 - |z|/2: from just above the top to the other side of the well, half a unit away."""
+        for start, top in (("1000.50000000000003", "1000.5"), ("0.375", "0.37499999999999999"), ("-0.3756400000000000100459", "-0.37564"),
+                           ("1000.30000000000003", "1000.3")):
+            side = 1 if float(start) > 0 else -1
+            scene = lagrangian("top", "", f"x - {start} 0", f"x_dot^2/2 - (x - ({top}))^2 + abs(x - ({top}))/2")
+            found = self.ask("turning_points", {"system": scene})
+            far, near = (found["x_max"], found["x_min"])[::side]
+            self.assertEqual((found["motion"], found["initial_is"]), ("libration", "min" if side > 0 else "max"))
+            self.assertLess(abs(far - (float(top) + side/2)), 1e-12)
+            self.assertLess(abs(near - float(start)), 1e-12)
+
     def test_beside_a_known_end_the_other_is_a_root_of_a_quadratic_in_the_cosine(self):
         """A spherical pendulum (Landau, Lifshitz, Mechanics, section 14), and a bead on a hoop that turns freely: formulas against numbers elsewhere."""
         place = ["a*sin(th)*cos(phi)", "a*sin(th)*sin(phi)", "-a*cos(th)"]

@@ -177,20 +177,5 @@ TEST(TurningPoints, FromRestALastDigitBesideAnUnstableEquilibriumAreFarAway) {
   }
 }
 
-TEST(TurningPoints, FromRestHalfALastDigitBesideAKinkedTopAreFarAway) {
-  const struct {
-    double start;
-    std::string top;
-  } cases[] = {
-      {1000.5, "1000.49999999999996"}, {0.375, "0.37499999999999999"}, {-0.375, "-0.37500000000000001"}};
-  for (const auto& [start, top] : cases) {
-    const std::string away = "(x/a - (" + top + "))";
-    const TurningPoints found = on("x", "u*(" + away + "^2 - 0.5*abs" + away + ")", start, 0);
-    EXPECT_EQ(found.motion, MotionKind::libration);
-    EXPECT_EQ(found.initial, InitialPlace::minimum);
-    expect_within(found.maximum, start + 0.5, 1e-12);
-  }
-}
-
 }  // namespace
 }  // namespace qdot
