@@ -1,12 +1,15 @@
 #include "core/expr/unfold.hpp"
 
 #include <algorithm>
+#include <optional>
 
 #include "core/expr/kept_terms.hpp"
 #include "core/expr/simplify.hpp"
 
 namespace qdot {
 namespace {
+
+constexpr std::size_t most_arguments_compared = 8;  ///< arguments
 
 bool is_kink(const Node& node) {
   const auto* call = std::get_if<Call>(&node);
@@ -70,19 +73,43 @@ class Unfolding {
     return {short_form, loses_digits ? written : short_form};
   }
 
-  /// The same for every multiple of one argument.
+  /// The same for every multiple of one argument, but for the sign of the factor.
   Expression side_of(const Argument& argument) {
     const Scaled scaled = split_coefficient(argument.short_form);
     const bool opposite = scaled.coefficient < Number(0);
-    const auto known = std::ranges::find(result_.short_forms, scaled.rest);
-    const auto k = static_cast<std::size_t>(known - result_.short_forms.begin());
-    if (known == result_.short_forms.end()) {
-      result_.short_forms.push_back(scaled.rest);
-      const bool is_short = argument.computed == argument.short_form;
-      result_.arguments.push_back(is_short ? scaled.rest : opposite ? -argument.computed : argument.computed);
-      result_.sides.push_back(graph_.symbol("side " + std::to_string(k + 1)));
+    for (std::size_t k = 0; k < result_.sides.size(); ++k) {
+      const auto factor = multiple_of(scaled.rest, k);
+      if (!factor) continue;
+      const Expression side = factor->is_one() ? result_.sides[k] : sign_of(*factor) * result_.sides[k];
+      return opposite ? -side : side;
     }
-    return opposite ? -result_.sides[k] : result_.sides[k];
+    result_.short_forms.push_back(scaled.rest);
+    const bool is_short = argument.computed == argument.short_form;
+    result_.arguments.push_back(is_short ? scaled.rest : opposite ? -argument.computed : argument.computed);
+    result_.sides.push_back(graph_.symbol("side " + std::to_string(result_.sides.size() + 1)));
+    return opposite ? -result_.sides.back() : result_.sides.back();
+  }
+
+  /// c without variables and t in u = c u_k: two dry frictions on one belt are one.
+  [[nodiscard]] std::optional<Expression> multiple_of(const Expression& u, std::size_t k) const {
+    const Expression& known = result_.short_forms[k];
+    if (u == known) return graph_.number(1);
+    if (result_.sides.size() > most_arguments_compared) return std::nullopt;
+    for (const Expression& variable : variables_) {
+      const Expression slope = simplify(differentiate(known, variable));
+      if (slope.is_zero()) continue;
+      const Expression factor = simplify(differentiate(u, variable) / slope);
+      const bool varies = depends_on(factor, variables_) || depends_on(factor, graph_.symbol("t"));
+      const bool is_multiple = !varies && !factor.is_zero() && simplify(u - factor * known).is_zero();
+      return is_multiple ? std::optional(factor) : std::nullopt;
+    }
+    return std::nullopt;
+  }
+
+  [[nodiscard]] Expression sign_of(const Expression& factor) const {
+    const Number* number = factor.number();
+    if (number == nullptr) return graph_.call(Function::sign, factor);
+    return graph_.number(*number < Number(0) ? -1 : 1);
   }
 
   /// s^2 = 1.

@@ -14,7 +14,7 @@ namespace qdot {
 /// Expressions without their kinks.
 struct Unfolded {
   std::vector<Expression> smooth;
-  std::vector<Expression> arguments;      ///< u_k, unfolded, too; one for all multiples of it
+  std::vector<Expression> arguments;      ///< u_k, unfolded, too; one for all multiples c u_k, c constant
   std::vector<Expression> short_forms;    ///< of the arguments, or of multiples of them
   std::vector<Expression> sides;          ///< the symbols s_k
   std::vector<Replacement> replacements;  ///< |u_k| and sign(u_k), and what stands in their places

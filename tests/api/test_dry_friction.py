@@ -105,13 +105,14 @@ class DryFriction(Service):
                             **accuracy}, truth)
 
     def test_a_belt_carries_a_mass_until_the_spring_is_stronger(self):
-        """With its friction as one, and as two whose signs are of multiples of one speed."""
+        """With its friction as one, and as two, of which one may drive, whose signs are of multiples of one speed."""
         draw = random.Random(3)
         for i in range(60):
             k, mu, v = f"{draw.uniform(1, 30):.3g}", f"{draw.uniform(0.2, 2):.3g}", f"{draw.uniform(0.1, 1):.3g}"
-            multiple = ("3", "0.5", "1.7", "10")[i // 2 % 4]
-            friction = f"-{mu}*sign(x0_dot - {v}*L/T)" if i % 2 == 0 else (
-                f"-{mu}/4*sign({multiple}*x0_dot - {nstr(mpf(multiple)*mpf(v), 10)}*L/T) - 3*{mu}/4*sign(x0_dot - {v}*L/T)")
+            multiple = ("3", "0.5", "1.7", "10")[i // 3 % 4]
+            other = f"sign({multiple}*x0_dot - {nstr(mpf(multiple)*mpf(v), 10)}*L/T)"
+            friction = (f"-{mu}*sign(x0_dot - {v}*L/T)", f"-{mu}/4*{other} - 3*{mu}/4*sign(x0_dot - {v}*L/T)",
+                        f"+ {mu}/4*{other} - 5*{mu}/4*sign(m*x0_dot - m*{v}*L/T)")[i % 3]
             accuracy = draw.choice(ACCURACIES)
             with self.subTest(k=k, friction=friction, **accuracy):
                 omega, stretch, speed = sqrt(mpf(k)), mpf(mu)/mpf(k), mpf(v)
