@@ -48,6 +48,9 @@ bool Fork::is_open() const {
   if (approach_.of_event && !place_.is_condition && !approach_.of_event(t_, within_errors()).contains(0))
     return false;
   if (place_.is_hidden) return true;
+  // Of a condition that is switched off by a parameter.
+  const bool is_exactly_zero = value_ == 0 && doubt_ < std::numeric_limits<double>::min();
+  if (place_.is_condition && is_exactly_zero) return false;
   return !(-side_of_way() * value_ > (place_.others ? doubt_of_others * doubt_ : doubt_));
 }
 

@@ -151,6 +151,13 @@ class NearMisses(Service):
             self.assertEqual(answer["stop"]["reason"], "impacts_accumulate")
             self.assertNotIn("reason", answer["accuracy"])
 
+    def test_an_event_that_is_switched_off_is_not_in_doubt(self):
+        for when in ("k", "0*y", "k*y", "y - y"):
+            scene = lagrangian("off", "k - 0", "x - 1 -1; y - 0 1", "x_dot^2/2 + y_dot^2/2",
+                               events=[{"name": "e", "expression": "x", "when": when}])
+            answer = self.motion(scene, t_end=3, events=["e"])
+            self.assertEqual((answer["events"], answer["accuracy"].get("reason")), ([], None), when)
+
     def test_two_conditions_that_fail_within_an_instant(self):
         """x = t, y = 2 t: which is the first to fail is told, or in doubt, and the time is within its error."""
         told = 0
