@@ -31,10 +31,10 @@ int sign_of(const Ball& value) {
   return value.value() > 0 ? 1 : -1;
 }
 
-/// Whether some coordinate, moved by that part of the largest one, leaves zero to both sides: beside a
-/// multiple root all digits are rounding.
+/// Whether some coordinate, moved by that part of the largest one, or as far as it goes in that time, leaves
+/// zero to both sides: beside a multiple root all digits are rounding.
 bool changes_sign_around(const Watch& watch, const Reals& parameters, const Real& t, const Reals& y,
-                         double part) {
+                         double part, double time = 0) {
   const std::size_t n = y.size() / 2;
   double size = 0;
   for (std::size_t i = 0; i < n; ++i) size = std::max(size, std::abs(y[i]));
@@ -46,7 +46,8 @@ bool changes_sign_around(const Watch& watch, const Reals& parameters, const Real
     return sign_of(watch.exact(parameters, t, there));
   };
   for (std::size_t i = 0; i < n; ++i) {
-    if (sign_at(i, step) * sign_at(i, -step) < 0) return true;
+    const double own = std::max(step, time * std::abs(y[n + i]));
+    if (sign_at(i, own) * sign_at(i, -own) < 0) return true;
   }
   return false;
 }
@@ -139,8 +140,8 @@ bool EventSides::is_turned_by_restitution(std::size_t watch, const SectionRecord
 }
 
 bool EventSides::is_sharp(const Watch& watch, const SectionRecord& impact) const {
-  return watch.exact &&
-         changes_sign_around(watch, request_.parameters, impact.t, Reals(impact.before), seen_by_doubles);
+  return watch.exact && changes_sign_around(watch, request_.parameters, impact.t, Reals(impact.before),
+                                            seen_by_doubles, sections_.resolution());
 }
 
 void EventSides::mark(double t, std::span<const double> y, const SectionRecord* impact,

@@ -82,7 +82,8 @@ double ImpactsAlong::unseen_flights(std::size_t impact, const SectionRecord& see
 bool ImpactsAlong::is_pressed_on(std::size_t impact, const SectionRecord& last,
                                  const EventSides& sides) const {
   const Watch& watch = watches()[impact];
-  if (watch.direction == Crossing::either || !impacts_->hidden_rate(impact, last.t, last.after)) return false;
+  if (watch.direction == Crossing::either || !impacts_->leaves_no_rate(impact, last.t, last.after))
+    return false;
   return sides.is_sharp(watch, last) &&
          pressing(watch, last, sections_, request_.t_end - request_.t_start) > 0;
 }

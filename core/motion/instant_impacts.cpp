@@ -158,6 +158,13 @@ std::optional<double> InstantImpacts::hidden_rate(std::size_t impact, double t,
   return is_hidden ? std::optional(rate.magnitude()) : std::nullopt;
 }
 
+bool InstantImpacts::leaves_no_rate(std::size_t impact, double t, const std::vector<double>& y) const {
+  const Rule& rule = rules_[impact];
+  if (!rule.approach) return false;
+  const Ball rate = approach(rule, t, y).rate;
+  return rate.is_finite() && rate.contains_zero();
+}
+
 std::vector<double> InstantImpacts::repeat(double t, std::vector<double> y,
                                            std::span<const Happened> impacts) const {
   for (const Happened& happened : impacts) change(happened.impact, t, y);

@@ -49,6 +49,8 @@ class InstantImpacts {
   /// none elsewhere, and without restitution.
   [[nodiscard]] std::optional<double> hidden_rate(std::size_t impact, double t,
                                                   const std::vector<double>& y) const;
+  /// Whether an impact that has just been met, at a distance of zero but for rounding, leaves it no rate.
+  [[nodiscard]] bool leaves_no_rate(std::size_t impact, double t, const std::vector<double>& y) const;
 
   /// Of what it takes from the distance; none where its map is no restitution.
   [[nodiscard]] std::optional<double> restitution(std::size_t impact) const {

@@ -235,6 +235,7 @@ void Measurement::state(const std::vector<Simulation>& others) {
   if (result_.simulation.stop && !result_.stop_error && result_.reason.empty())
     result_.reason = accuracy_reasons::may_not_stop;
   note_other_conditions();
+  take_error_of_stop();
   if (result_.reason.empty() && may_reach_end()) result_.reason = accuracy_reasons::may_reach_end;
   if (result_.reason.empty() && std::ranges::max(result_.max_abs_error) > without_bound)
     result_.reason = accuracy_reasons::forces_are_rounding;
@@ -248,6 +249,16 @@ void Measurement::note_other_conditions() {
   if (others.names.empty()) return;
   result_.stop_error->time = others.time;
   if (result_.reason.empty()) result_.reason = accuracy_reasons::may_fail_before(others.names);
+}
+
+/// An event of the same instant may be beyond the last row.
+void Measurement::take_error_of_stop() {
+  if (!result_.stop_error) return;
+  for (std::size_t i = 0; i < result_.event_errors.size(); ++i) {
+    const bool is_there = result_.simulation.events[i].t == result_.simulation.stop->t;
+    if (is_there && !result_.event_errors[i])
+      result_.event_errors[i] = EventError{result_.stop_error->time, {}};
+  }
 }
 
 bool Measurement::may_reach_end() const {

@@ -55,6 +55,7 @@ class Measurement {
   [[nodiscard]] bool may_reach_end() const;
   void note_impacts_at_end();
   void note_other_conditions();
+  void take_error_of_stop();
   [[nodiscard]] RowComparison with_other_ways(const RowComparison& without, std::vector<Simulation> others,
                                               OtherWays ways);
   [[nodiscard]] std::vector<double> wanted() const;

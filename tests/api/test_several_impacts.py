@@ -173,6 +173,18 @@ class SeveralImpacts(Service):
             self.assertEqual(answer["events"][-1]["t"], answer["t_reached"])
             self.assertNotIn("reason", answer["accuracy"])
 
+    def test_a_plastic_impact_happens_once(self):
+        for start, rate in (("1", "0"), ("1", "0.5"), ("0.37", "-0.8"), ("2.81", "1.3"), ("0.5", "0.1"), ("1.9", "0")):
+            for t_end in (1, 2, 3, 5):
+                ball = {"name": "ball", "units": "none", "coordinates": [{"name": "x", "initial": start, "initial_rate": rate}],
+                        "lagrangian": "x_dot^2/2 - 9.81*x"} | bounces(("floor", "x"), restitution="0")
+                met = (float(rate) + math.sqrt(float(rate)**2 + 2*9.81*float(start)))/9.81
+                answer = self.ask("simulate", {"system": ball, "t_end": t_end, "samples": 2, "events": ["floor"], "steps": 2})
+                [event] = answer["events"]
+                self.assertLess(abs(event["t"] - met), max(event["error"], 1e-15))
+                self.assertEqual(event["t"], answer["stop"]["t"])
+                self.assertEqual(len(answer["strides"]), 1)
+
     def test_a_map_without_a_value_is_no_mistake_of_the_start(self):
         scene = {"name": "ball", "units": "none", "coordinates": [{"name": "x", "initial": "1"}, {"name": "y", "initial": "1"}],
                  "lagrangian": "(x_dot^2 + y_dot^2)/2 - 9.81*x", "events": [{"name": "floor", "expression": "x"}],
