@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "core/integrate/methods.hpp"
+#include "core/motion/accumulation.hpp"
 #include "core/motion/accuracy_reasons.hpp"
 #include "core/motion/conditions_at_stop.hpp"
 #include "core/motion/error_growth.hpp"
