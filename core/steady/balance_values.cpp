@@ -191,13 +191,28 @@ struct Nearby {
   });
 }
 
+/// Of the forces at all values of u, by their slopes along it: a square that hardly vanishes does not there.
+[[nodiscard]] std::vector<Interval> forces_over(const BalanceProblem& problem, const Interval& u) {
+  const double middle = u.middle();
+  std::vector<Interval> place = problem.x;
+  place.push_back(u);
+  std::vector<Interval> values = values_nearby(problem, problem.polynomial->values, {Ball(middle)}).near;
+  std::vector<Interval> slopes(values.size());
+  TapeEvaluator<Interval>(problem.polynomial->derivatives, problem.constants)(place, slopes);
+  for (std::size_t k = 0; k < values.size(); ++k) values[k] = values[k] + slopes[k] * (u - Interval(middle));
+  return values;
+}
+
 [[nodiscard]] bool satisfies_others(const BalanceProblem& problem, const Interval& u, std::size_t chosen) {
   const CompiledFunction& functions = problem.polynomial->values;
   const Nearby values = values_nearby(problem, functions, {Ball::of(u)});
-  for (std::size_t k = 0; k < values.near.size(); ++k) {
-    if (k != chosen && !values.near[k].contains(0.0)) return false;
-  }
+  const std::vector<Interval> by_slopes = forces_over(problem, u);
   const bool are_finite = std::ranges::all_of(values.at, &Interval::is_finite);
+  for (std::size_t k = 0; k < values.near.size(); ++k) {
+    if (k == chosen) continue;
+    const bool is_other_than_zero = by_slopes[k].is_finite() && !by_slopes[k].contains(0.0);
+    if (!values.near[k].contains(0.0) || (are_finite && is_other_than_zero)) return false;
+  }
   return are_finite || have_values(problem, functions, u);
 }
 

@@ -144,6 +144,16 @@ class BalancedPlaces(Service):
                 self.assertTrue(any(abs(one["k"] - float(held)) <= one["error"] for one in alone["all"]))
             self.assertEqual(len(alone["all"]) == 1, "two values, one or none" in str(alone.get("notes")))
 
+    def test_a_square_that_does_not_vanish_there_refuses(self):
+        for value, other in (("2.53", "2.5300001"), ("2.53", "2.53001"), ("-0.7", "-0.7000001"), ("1.25", "1.25")):
+            scene = {"name": "two", "units": "none", "parameters": [{"name": "k", "default": "1"}],
+                     "coordinates": [{"name": "x", "initial": "0.3"}, {"name": "y", "initial": "0.1"}],
+                     "lagrangian": "(x_dot^2 + y_dot^2)/2",
+                     "forces": [{"name": "f", "value": f"k - ({value})", "along": "x"},
+                                {"name": "g", "value": f"(k - ({other}))^2", "along": "y"}]}
+            answer = self.ask("equilibria", {"system": scene, "solve_for": "k", "at": {"x": 1, "y": 1}})
+            self.assertEqual(len(answer["all"]), value == other, (value, other))
+
     def test_where_another_force_has_no_value_nothing_is_held(self):
         for f, g, held in (("sqrt(k) - 3", "k + 4", []), ("log(k)", "(k - 1)*(k + 4)", [1]), ("sqrt(k - 2*x) - 1", "k^2 - 9", [3]),
                            ("asin(k) - asin(0.5)", "(k - 0.5)*(k - 3)", [0.5]), ("sqrt(k)", "k*(k - 2)", [0])):
