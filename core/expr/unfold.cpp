@@ -53,13 +53,39 @@ class Unfolding {
       const Expression size = graph_.call(Function::abs, smooth({graph_, call->argument}));
       result_.replacements.emplace_back(Expression(graph_, id), pow(size, power.exponent));
     }
-    const auto* inner = std::get_if<Power>(&graph_.node(power.base));
-    if (inner == nullptr || !(inner->exponent * Number::ratio(1, 2)).is_integer()) return;
-    const Argument base = argument_of({graph_, inner->base});
-    const Number exponent = inner->exponent * power.exponent;
+    if (is_even_power(power.base))
+      result_.replacements.emplace_back(Expression(graph_, id), size_of(power.base, power.exponent));
+    if (std::holds_alternative<Product>(graph_.node(power.base))) unfold_product(id, power);
+  }
+
+  [[nodiscard]] bool is_even_power(NodeId id) const {
+    const auto* power = std::get_if<Power>(&graph_.node(id));
+    return power != nullptr && (power->exponent * Number::ratio(1, 2)).is_integer();
+  }
+
+  /// |u|^(p q) for the even power u^p.
+  [[nodiscard]] Expression size_of(NodeId even_power, const Number& q) {
+    const Power inner = std::get<Power>(graph_.node(even_power));
+    const Argument base = argument_of({graph_, inner.base});
+    const Number exponent = inner.exponent * q;
     const Expression size =
         exponent.is_integer() ? side_of(base) * base.computed : graph_.call(Function::abs, base.computed);
-    result_.replacements.emplace_back(Expression(graph_, id), pow(size, exponent));
+    return pow(size, exponent);
+  }
+
+  /// (c u^2)^(1/2) is c^(1/2) |u| where c is constant: it has no value for c < 0.
+  void unfold_product(NodeId id, const Power& power) {
+    const Product product = std::get<Product>(graph_.node(power.base));
+    Expression constant = graph_.number(product.coefficient), sizes = graph_.number(1);
+    for (const NodeId factor : product.factors) {
+      const bool varies = depends_on(Expression(graph_, factor), variables_);
+      if (varies && !is_even_power(factor)) return;
+      if (!varies) constant = constant * Expression(graph_, factor);
+    }
+    for (const NodeId factor : product.factors) {
+      if (depends_on(Expression(graph_, factor), variables_)) sizes = sizes * size_of(factor, power.exponent);
+    }
+    result_.replacements.emplace_back(Expression(graph_, id), pow(constant, power.exponent) * sizes);
   }
 
   /// In its short form, by which it is known again, and as it is computed, which keeps its digits.
@@ -90,7 +116,8 @@ class Unfolding {
     return opposite ? -result_.sides.back() : result_.sides.back();
   }
 
-  /// c without variables and t in u = c u_k: two dry frictions on one belt are one.
+  /// c without variables and t in u = c u_k, where that has a number for a slope: two dry frictions on one
+  /// belt are one.
   [[nodiscard]] std::optional<Expression> multiple_of(const Expression& u, std::size_t k) const {
     const Expression& known = result_.short_forms[k];
     if (u == known) return graph_.number(1);
@@ -98,6 +125,7 @@ class Unfolding {
     for (const Expression& variable : variables_) {
       const Expression slope = simplify(differentiate(known, variable));
       if (slope.is_zero()) continue;
+      if (slope.number() == nullptr) return std::nullopt;  // a parameter may be 0, and the other one not
       const Expression factor = simplify(differentiate(u, variable) / slope);
       const bool varies = depends_on(factor, variables_) || depends_on(factor, graph_.symbol("t"));
       const bool is_multiple = !varies && !factor.is_zero() && simplify(u - factor * known).is_zero();

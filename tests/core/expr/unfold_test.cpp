@@ -46,5 +46,22 @@ TEST_F(Unfolding, KnowsAnArgumentAgainHoweverItIsWritten) {
   EXPECT_TRUE(simplify(substitute(pieces.smooth[0], ahead) - there).is_zero());
 }
 
+TEST_F(Unfolding, TakesMultiplesOfOneArgumentForOneKink) {
+  EXPECT_EQ(unfolded_along_x("sign(x - 0.3) + sign(3*x - 0.9) + abs(0.6 - 2*x)").sides.size(), 1);
+  const Unfolded by_parameter = unfolded_along_x("abs(x) + abs(c*x)");
+  ASSERT_EQ(by_parameter.sides.size(), 1);
+  const std::vector<Replacement> below{{by_parameter.sides[0], graph_.number(-1)}};
+  EXPECT_TRUE(simplify(substitute(by_parameter.smooth[0], below) - parsed("-x - sign(c)*c*x")).is_zero());
+  EXPECT_EQ(unfolded_along_x("abs(c*x) + abs(w*x)").sides.size(), 2);  // each may be 0
+  EXPECT_EQ(unfolded_along_x("abs(x) + abs(x - 1)").sides.size(), 2);
+}
+
+TEST_F(Unfolding, KnowsTheRootOfASquareBesideConstants) {
+  for (const std::string text : {"sqrt(c^2*x^2)", "sqrt(4*x^2)", "sqrt(w*x^2)", "(c*x^2)^1.5"})
+    EXPECT_EQ(unfolded_along_x(text).sides.size(), 1) << text;
+  const Unfolded pieces = unfolded_along_x("sqrt(w*x^2)");
+  EXPECT_EQ(pieces.smooth[0], simplify(pieces.sides[0] * parsed("sqrt(w)*x")));
+}
+
 }  // namespace
 }  // namespace qdot
