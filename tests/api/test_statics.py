@@ -148,14 +148,12 @@ class Kinks(Statics):
         self.assert_lists(found, [(number(-1.71), "unstable"), (-smooth, "stable"), (smooth, "unstable")])
 
     def test_roots_of_squares_beside_parameters_are_corners(self):
-        for root in ("sqrt(c^2*x^2)", "sqrt(c*x^2)", "sqrt((c*x)^2)", "sqrt(x^2)", "sqrt(c^2*x^2)*1"):
-            for share, others, places in ((-1, "x^2/2", [(-1, "stable"), (0, "unstable"), (1, "stable")]),
-                                          (0.25, "x^2/2 - abs(x)/2", [(-0.25, "stable"), (0, "unstable"), (0.25, "stable")]),
-                                          (1, "x^2/2 - abs(x)/2", [(0, "stable")])):
-                potential = f"{share}*{root} + {others}"
-                found = self.equilibria(particle(potential, parameters=[("c", 1)]))
-                self.assertIs(found["complete"], True, potential)
-                self.assert_lists(found, [(mp.mpf(place), word) for place, word in places])
+        well, valley = [(mp.mpf(-1), "stable"), (mp.mpf(0), "unstable"), (mp.mpf(1), "stable")], [(mp.mpf(0), "stable")]
+        for root in ("sqrt(c^2*x^2)", "sqrt(c*x^2)", "sqrt((c*x)^2)"):
+            for potential, places in ((f"x^2/2 - {root}", well), (f"x^2/2 + {root} - abs(x)/2", valley)):
+                found = self.equilibria(particle(potential, [("c", 1)]))
+                self.assertIs(found["complete"], True)
+                self.assert_lists(found, places)
 
     def test_of_the_sine_in_one_turn(self):
         found = self.equilibria(particle("3*abs(sin(x))", unit="rad"))
