@@ -42,9 +42,7 @@ OtherConditions other_conditions_at_stop(const ComputedMotion& motion, const Eve
   const std::vector<Interval> states = states_around(motion, error, found.time);
   for (const Watch& watch : all) {
     if (watch.reason.empty() || watch.reason == stop.reason) continue;
-    Interval values = watch.enclosure(stop.t, states);
-    for (const double t : {stop.t - found.time, stop.t + found.time})
-      values = hull(values, watch.enclosure(t, states));
+    const Interval values = watch.enclosure(Interval(stop.t - found.time, stop.t + found.time), states);
     if (values.contains(0.0)) found.names += (found.names.empty() ? "'" : ", '") + watch.name + "'";
   }
   return found;

@@ -4,9 +4,12 @@
 //
 // The other condition g may be zero there where it may be at some state that the motion has in that time,
 //
-//   0 in g(t, y),   |y_k - y_k(stop)| <= e_k + |y_k'(stop)| tau,
+//   0 in g(t, y),   |t - t(stop)| <= tau,   |y_k - y_k(stop)| <= e_k + |y_k'(stop)| tau,
 //
-// by interval arithmetic, with tau that time and e_k the errors of the state [in units of y_k].
+// by interval arithmetic over that box, with tau that time [s] and e_k the errors of the state [in units of
+// y_k]. The box is an estimate: the errors are, and rates are taken for constant in so short a time.
+// Source of the range over a box: Moore, Kearfott, Cloud, Introduction to Interval Analysis (2009),
+// chapter 5.
 
 #include <string>
 
