@@ -5,22 +5,13 @@
 #include <map>
 
 #include "core/compile/tape_evaluator.hpp"
-#include "core/expr/calculus.hpp"
 #include "core/numerics/root_isolation.hpp"
 #include "core/steady/quadratic_roots.hpp"
 #include "core/steady/search_region.hpp"
+#include "core/steady/values_along_unknown.hpp"
 
 namespace qdot {
 namespace {
-
-/// The argument of a logarithm, or of a root of an even power.
-[[nodiscard]] std::optional<Expression> what_has_to_be_positive(Graph& graph, NodeId id) {
-  if (const auto* call = std::get_if<Call>(&graph.node(id)))
-    return call->function == Function::log ? std::optional(Expression(graph, call->argument)) : std::nullopt;
-  const auto* power = std::get_if<Power>(&graph.node(id));
-  if (power == nullptr || !(power->exponent.denominator() / Number(2)).is_integer()) return std::nullopt;
-  return Expression(graph, power->base);
-}
 
 [[nodiscard]] bool is_at_kink(const BalanceProblem& problem) {
   const SmoothForces& at_rest = problem.kinks->at_rest;
@@ -110,38 +101,9 @@ struct Nearby {
                                                      {Outcome::at_infinity, Obstacle::no_finite_value},
                                                      {Outcome::not_real, Obstacle::no_real_value},
                                                      {Outcome::negative_square, Obstacle::negative_square}};
-  return {obstacles.at(found.outcome), std::move(found.values), "", found.square, {}, found.may_be_two};
-}
-
-/// Half-lines of u outside which a root or a logarithm in the force, of what is linear in u, has no value.
-[[nodiscard]] std::vector<Interval> where_defined(const BalanceProblem& problem, std::size_t k) {
-  const SteadyPolynomial& polynomial = *problem.polynomial;
-  Graph graph(*polynomial.graph);
-  const Expression e = graph.adopt(polynomial.whole[k]), u = graph.symbol(problem.unknown);
-  std::vector<RealAssignment> numbers;
-  for (std::size_t i = 0; i < problem.parameters.size(); ++i)
-    numbers.emplace_back(graph.symbol(problem.scene().parameters[i].name), problem.parameters.exact(i));
-  for (std::size_t i = 0; i < problem.scene().coordinates.size(); ++i) {
-    const std::string& name = problem.scene().coordinates[i].name;
-    numbers.emplace_back(graph.symbol(name), problem.y.exact(i));
-    numbers.emplace_back(graph.symbol(name + "_dot"),
-                         problem.y.exact(problem.scene().coordinates.size() + i));
-  }
-  std::vector<Interval> parts;
-  const NodeId root = e.id();
-  for (const NodeId id : reachable(graph, {&root, 1})) {
-    const auto argument = what_has_to_be_positive(graph, id);
-    if (!argument || !depends_on(*argument, u)) continue;
-    const Expression slope = differentiate(*argument, u);
-    const Replacement origin{u, graph.number(0)};
-    if (depends_on(slope, u)) continue;
-    const Interval rise = Interval::literal(evaluate_exactly(slope, numbers)),
-                   offset = Interval::literal(evaluate_exactly(substitute(*argument, {&origin, 1}), numbers));
-    if (rise.contains(0.0) || !rise.is_finite() || !offset.is_finite()) continue;
-    const Interval end = -offset / rise;
-    parts.push_back(rise.lower > 0 ? Interval(end.lower, infinity) : Interval(-infinity, end.upper));
-  }
-  return parts;
+  Candidates candidates{obstacles.at(found.outcome), {}, "", found.square};
+  for (const Interval& u : found.values) candidates.values.push_back({u, !found.may_be_two});
+  return candidates;
 }
 
 /// Of force k along u: enclosed over [-L, L] and u's domain, or over a turn.
@@ -175,8 +137,8 @@ struct Nearby {
   Candidates found;
   for (const IsolatedZero& zero : isolation.zeros) {
     const Interval u = problem.polynomial->u_turns ? reduced_angle(zero.enclosure[0]) : zero.enclosure[0];
-    const auto is_same = [&](const Interval& other) { return !is_empty(intersection(other, u)); };
-    if (std::ranges::none_of(found.values, is_same)) found.values.push_back(u);
+    const auto is_same = [&](const BalancingValue& other) { return !is_empty(intersection(other.u, u)); };
+    if (std::ranges::none_of(found.values, is_same)) found.values.push_back({u, zero.simple});
   }
   if (found.values.empty()) found.obstacle = Obstacle::none_in_domain;
   return found;
@@ -216,17 +178,18 @@ struct Nearby {
   return are_finite || have_values(problem, functions, u);
 }
 
-/// The zeros of one force that are zeros of all.
+/// The zeros of one force that are zeros of all, and where all have values.
 [[nodiscard]] Candidates common_zeros(const BalanceProblem& problem, Candidates found, std::size_t chosen) {
-  std::erase_if(found.values, [&](const Interval& u) { return !satisfies_others(problem, u, chosen); });
-  const bool depend = std::ranges::any_of(found.values, [&](const Interval& u) {
+  std::erase_if(found.values,
+                [&](const BalancingValue& value) { return !satisfies_others(problem, value.u, chosen); });
+  const bool depend = std::ranges::any_of(found.values, [&](const BalancingValue& value) {
     std::vector<Interval> constants = problem.constants;
-    constants[problem.polynomial->place] = u;
+    constants[problem.polynomial->place] = value.u;
     return are_dependent(problem, constants);
   });
   if (depend) return {Obstacle::dependent, {}, "", 0};
   if (found.values.empty() && found.obstacle == Obstacle::none) found.obstacle = Obstacle::no_common_value;
-  return found;
+  return without_poles(problem, std::move(found), chosen);
 }
 
 enum class Demand { nothing, impossible, a_value };
@@ -243,9 +206,9 @@ enum class Demand { nothing, impossible, a_value };
   return force.depends && !is_constant && alone ? Demand::a_value : Demand::impossible;
 }
 
-double widest(std::span<const Interval> values) {
+double widest(std::span<const BalancingValue> values) {
   double width = 0;
-  for (const Interval& u : values) width = std::max(width, u.width());
+  for (const BalancingValue& value : values) width = std::max(width, value.u.width());
   return width;
 }
 

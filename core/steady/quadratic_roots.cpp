@@ -15,7 +15,7 @@ QuadraticRoots opposite_roots(std::span<const Interval> c) {
   const Interval square = -c[0] / c[2];
   if (square.upper < 0) return {Outcome::negative_square, {}, square.middle()};
   const Interval root = root_of(square);
-  if (root.lower == 0) return {Outcome::found, {hull(root, -root)}, 0};  // to within rounding one value, 0
+  if (root.lower == 0) return {Outcome::found, {hull(root, -root)}, 0, root.upper > 0};
   return {Outcome::found, {root, -root}, 0};
 }
 

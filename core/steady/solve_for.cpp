@@ -27,9 +27,11 @@ bool is_allowed(const Domain& domain, const Interval& u) {
   return !is_empty(inside) && inside.width() > 0;
 }
 
-SolvedValue solved(const BalanceProblem& problem, const Interval& u) {
+SolvedValue solved(const BalanceProblem& problem, const BalancingValue& found) {
+  const Interval& u = found.u;
   const Domain& domain = problem.domain;
   SolvedValue result;
+  result.is_one = found.is_one;
   result.value = representative(u);
   if (!domain.contains(result.value)) result.value = intersection(u, {domain.lower, domain.upper}).middle();
   result.error = distance_bound(result.value, u);
@@ -45,11 +47,13 @@ std::optional<std::string> impossible_with(const BalanceProblem& problem, const 
   return impossible_moment(problem.dynamics.model().parsed, parameters);
 }
 
-std::vector<SolvedValue> allowed_values(const BalanceProblem& problem, const std::vector<Interval>& found) {
+std::vector<SolvedValue> allowed_values(const BalanceProblem& problem,
+                                        const std::vector<BalancingValue>& found) {
   std::vector<SolvedValue> values;
-  for (const Interval& u : found) {
+  for (const BalancingValue& value : found) {
+    const Interval& u = value.u;
     if (is_allowed(problem.domain, u) && u.is_finite() && !impossible_with(problem, u))
-      values.push_back(solved(problem, u));
+      values.push_back(solved(problem, value));
   }
   std::sort(values.begin(), values.end(), [](const SolvedValue& a, const SolvedValue& b) {
     if ((a.value >= 0) != (b.value >= 0)) return a.value >= 0;
@@ -59,12 +63,13 @@ std::vector<SolvedValue> allowed_values(const BalanceProblem& problem, const std
 }
 
 void tell_why_none_is_allowed(const BalanceProblem& problem, Candidates& found) {
-  const auto inside = std::ranges::find_if(
-      found.values, [&](const Interval& u) { return u.is_finite() && is_allowed(problem.domain, u); });
+  const auto inside = std::ranges::find_if(found.values, [&](const BalancingValue& value) {
+    return value.u.is_finite() && is_allowed(problem.domain, value.u);
+  });
   const bool is_inside = inside != found.values.end();
-  found.number = (is_inside ? *inside : found.values[0]).middle();
+  found.number = (is_inside ? *inside : found.values[0]).u.middle();
   found.obstacle = is_inside ? Obstacle::impossible_body : Obstacle::outside_domain;
-  if (is_inside) found.name = impossible_with(problem, *inside).value_or("");
+  if (is_inside) found.name = impossible_with(problem, inside->u).value_or("");
 }
 
 /// Velocities of ignorable coordinates stay as they are, also where the start gives them by the unknown.
@@ -115,7 +120,6 @@ Solution solve_for(const Dynamics& dynamics, const Reals& parameters, const Real
   result.polynomial = problem.polynomial;
   result.without_force = found.without_force;
   result.values = allowed_values(problem, found.values);
-  result.may_be_two = found.may_be_two && !result.values.empty();
   if (result.values.empty() && !found.values.empty()) tell_why_none_is_allowed(problem, found);
   result.reason = sentence(found, unknown, position_in_words(problem));
   if (!result.reason.empty()) result.reason += held_rates(problem);

@@ -24,12 +24,12 @@ namespace qdot {
 struct SolvedValue {
   double value{};
   double error{};
+  bool is_one{};  ///< proven; else there may be several within its error, or none
   SteadyStability stability;
 };
 
 struct Solution {
   std::vector<SolvedValue> values;  ///< non-negative ones first, then by size
-  bool may_be_two{};                ///< the one value, within its error, or none
   std::string reason;               ///< why there is none
   std::string unit;
   /// For one coordinate and a polynomial; ascending. No value where it is not known.

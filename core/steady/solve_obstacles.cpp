@@ -39,6 +39,9 @@ std::string sentence(const Candidates& found, const std::string& u, const std::s
              ": forces have no single value there, and whole intervals of " + u + " may hold it.";
     case Obstacle::no_common_value:
       return "No single value of " + u + " balances all forces at " + at + ".";
+    case Obstacle::at_pole:
+      return "No real " + u + " holds " + held + ": at " + u + " = " + short_number(found.number, 6) +
+             ", where the forces would balance, what they divide by is zero, too.";
     case Obstacle::outside_domain:
       return u + " would have to be " + short_number(found.number, 6) + ", which is outside its domain.";
     case Obstacle::impossible_body:

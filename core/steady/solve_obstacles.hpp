@@ -22,18 +22,23 @@ enum class Obstacle {
   not_decided,      ///< a force is too small to tell where it vanishes
   at_kink,          ///< the forces have no single value at the position, or their kinks move with u
   no_common_value,  ///< no value makes all the forces vanish
+  at_pole,          ///< only where what the forces divide by is zero, too
   outside_domain,
   impossible_body  ///< its principal moments would be those of none
+};
+
+struct BalancingValue {
+  Interval u;
+  bool is_one{};  ///< proven; else there may be several within it, or none
 };
 
 /// Values that make the forces vanish; none with the obstacle and what its sentence names.
 struct Candidates {
   Obstacle obstacle{Obstacle::none};
-  std::vector<Interval> values;
-  std::string name;  ///< of coordinates out of balance, or of a constraint; or what is impossible
+  std::vector<BalancingValue> values{};
+  std::string name{};  ///< of coordinates out of balance, or of a constraint; or what is impossible
   double number{};
   std::vector<std::size_t> without_force{};  ///< those of the polynomial's that vanish whatever u is
-  bool may_be_two{};                         ///< the one value, within its error, or none
 };
 
 /// Empty where there is no obstacle. `u`: the unknown's name; `position`: in words, empty where no force

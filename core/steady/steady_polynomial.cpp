@@ -41,7 +41,7 @@ class PolynomialDerivation {
     const auto place = std::find(constants_.begin(), constants_.end(), u_);
     result_.place = static_cast<std::size_t>(place - constants_.begin());
     for (std::size_t i = 0; i < forces_.size(); ++i) {
-      const Expression g = simplify(substitute(graph_.adopt(forces_[i]), momenta_));
+      const Expression g = simplify(apart_from_squares(substitute(graph_.adopt(forces_[i]), momenta_)));
       if (!g.is_zero()) add_force(i, g);
       add_divisors(g);
     }
@@ -50,6 +50,7 @@ class PolynomialDerivation {
     if (x_.size() == 1) write_small_motion();
     result_.forms = coefficients_;
     result_.whole = values_;
+    result_.pole_forms = poles_;
     result_.graph = own_;
     return std::move(result_);
   }
@@ -81,16 +82,51 @@ class PolynomialDerivation {
     for (std::size_t k = 0; k < n; ++k) momenta_.emplace_back(p[k], solved[k]);
   }
 
+  /// sqrt(u)*sqrt(x^2) for sqrt(u*x^2), so that u/sqrt(u*x^2) has no numerator that vanishes at u = 0.
+  [[nodiscard]] Expression apart_from_squares(const Expression& g) const {
+    std::vector<Replacement> replacements;
+    const NodeId root = g.id();
+    for (const NodeId id : reachable(graph_, {&root, 1})) {
+      const auto* power = std::get_if<Power>(&graph_.node(id));
+      if (power == nullptr || power->exponent.is_integer()) continue;
+      const Expression inside(graph_, power->base);
+      if (!depends_on(inside, u_) || !std::holds_alternative<Product>(graph_.node(power->base))) continue;
+      const Number exponent = power->exponent;
+      const Expression outside = squares_in(std::get<Product>(graph_.node(power->base)));
+      if (outside != graph_.number(1))
+        replacements.emplace_back(Expression(graph_, id),
+                                  pow(inside / outside, exponent) * pow(outside, exponent));
+    }
+    return substitute(g, replacements);
+  }
+
+  /// What is positive in it, whatever u is.
+  [[nodiscard]] Expression squares_in(Product product) const {
+    Expression squares =
+        graph_.number(product.coefficient.is_negative() ? -product.coefficient : product.coefficient);
+    for (const NodeId factor : product.factors) {
+      if (is_even_power(factor) && !depends_on({graph_, factor}, u_))
+        squares = squares * Expression(graph_, factor);
+    }
+    return squares;
+  }
+
+  [[nodiscard]] bool is_even_power(NodeId id) const {
+    const auto* power = std::get_if<Power>(&graph_.node(id));
+    return power != nullptr && (power->exponent * Number::ratio(1, 2)).is_integer();
+  }
+
   /// e and its derivatives along u.
   struct Derivatives {
     Expression e, first, second;
     bool is_quadratic;
+    std::vector<Expression> poles;
   };
 
   [[nodiscard]] Derivatives derivatives(const Expression& g) const {
     const Expression e = numerator_of(g, {&u_, 1});
     const Expression first = simplify(differentiate(e, u_)), second = simplify(differentiate(first, u_));
-    return {e, first, second, simplify(differentiate(second, u_)).is_zero()};
+    return {e, first, second, simplify(differentiate(second, u_)).is_zero(), denominators_of(g, {&u_, 1})};
   }
 
   /// g in lowest terms, also where sin^2 + cos^2 = 1 hides a common factor, such as the inertia by which
@@ -136,12 +172,13 @@ class PolynomialDerivation {
   void add_force(std::size_t equation, const Expression& force) {
     const Expression g = without_inertia(equation, force);
     Derivatives all = derivatives(g);
-    if (!momenta_.empty()) {
+    if (!momenta_.empty() || !all.poles.empty()) {
       Derivatives other = derivatives(in_lowest_terms_of_angles(g));
       const bool is_shorter = written_length(other.e) < written_length(all.e);
       if (other.is_quadratic && (!all.is_quadratic || is_shorter)) all = std::move(other);
     }
-    const auto& [e, first, second, is_quadratic] = all;
+    const auto& [e, first, second, is_quadratic, poles] = all;
+    poles_.insert(poles_.end(), poles.begin(), poles.end());
     SteadyPolynomial::Force result{equation, !first.is_zero(), std::nullopt, false};
     std::vector<Expression> c(3, graph_.number(0));
     if (is_quadratic) {
@@ -195,6 +232,7 @@ class PolynomialDerivation {
     x_and_u.push_back(u_);
     result_.coefficients = compiled(coefficients_, x_);
     result_.divisors = compiled(divisors_, x_);
+    result_.poles = compiled(poles_, x_and_u);
     std::vector<Expression> slopes;
     if (x_.size() == 1) {
       for (const Expression& c : coefficients_) slopes.push_back(simplify(differentiate(c, x_[0])));
@@ -217,7 +255,7 @@ class PolynomialDerivation {
   Expression u_;
   Replacement zero_;
   std::vector<Replacement> momenta_;
-  std::vector<Expression> coefficients_, values_, derivatives_, divisors_;
+  std::vector<Expression> coefficients_, values_, derivatives_, divisors_, poles_;
   SteadyPolynomial result_;
 };
 

@@ -24,6 +24,7 @@ struct SteadyPolynomial {
   std::vector<Force> forces;        ///< those that do not vanish identically
   CompiledFunction coefficients;    ///< of 1, u, u^2 for each force
   CompiledFunction divisors;        ///< of x: what forces divide by, where u does not matter to it
+  CompiledFunction poles;           ///< of x and u: what forces divide by, where u matters to it
   CompiledFunction slopes;          ///< of these along x; only for one coordinate
   CompiledFunction values;          ///< each force at x and u (variables x, u)
   CompiledFunction derivatives;     ///< along u
@@ -31,8 +32,9 @@ struct SteadyPolynomial {
   std::vector<bool> turns;          ///< for each x: see SteadyForces
   std::vector<std::size_t> needed;  ///< places in x that some force depends on
   std::vector<Expression> forms;    ///< `coefficients` as expressions, in `graph`
-  std::vector<Expression> whole;    ///< `values` as expressions
-  Expression stiffness, inertia;    ///< K and M of one coordinate, also there; else without a value
+  std::vector<Expression> whole;    ///< `values` as expressions, numerators along u
+  std::vector<Expression> pole_forms;
+  Expression stiffness, inertia;  ///< K and M of one coordinate, also there; else without a value
   std::shared_ptr<const Graph> graph;
   bool u_turns{};  ///< a full turn of u changes no force
 };

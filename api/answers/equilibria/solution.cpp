@@ -41,9 +41,7 @@ class SolutionAnswer {
       put_stability(body, first.stability, digits_);
     }
     put_all(body, solution);
-    if (solution.may_be_two)
-      body["notes"] = Json{"Within the error of " + unknown_ +
-                           " there may be two values, one or none: rounding does not tell them apart."};
+    put_notes(body, solution);
     if (solution.ranges) put_ranges(body, *solution.ranges);
     body["units"] = units();
     return body;
@@ -63,6 +61,15 @@ class SolutionAnswer {
       put_exact(json, exact_[i]);
       put_stability(json, solved.stability, digits_);
       body["all"].push_back(std::move(json));
+    }
+  }
+
+  void put_notes(Json& body, const Solution& solution) const {
+    for (const SolvedValue& solved : solution.values) {
+      if (solved.is_one) continue;
+      body["notes"].push_back(
+          "Within the error of " + unknown_ + " = " + short_number(solved.value, 6) +
+          " there may be several values, one or none: rounding does not tell them apart.");
     }
   }
 
