@@ -209,6 +209,9 @@ Expression Graph::power(const Expression& base, const Number& exponent) {
     if (const auto* inner = std::get_if<Power>(&base.node())) {
       return power({*this, inner->base}, inner->exponent * exponent);
     }
+    if (const auto* inner = std::get_if<Call>(&base.node());
+        inner != nullptr && inner->function == Function::abs && (exponent / Number(2)).is_integer())
+      return power({*this, inner->argument}, exponent);
     if (const auto* inner = std::get_if<Product>(&base.node())) {
       std::vector<Expression> factors{power(number(inner->coefficient), exponent)};
       for (const NodeId id : inner->factors) factors.push_back(power({*this, id}, exponent));
@@ -217,6 +220,44 @@ Expression Graph::power(const Expression& base, const Number& exponent) {
   }
   return intern(Power{base.id(), exponent});
 }
+
+namespace {
+
+/// Whether it is no number and never negative: |u|, u^2.
+bool is_size(const Expression& e) {
+  const auto* call = std::get_if<Call>(&e.node());
+  const auto* power = std::get_if<Power>(&e.node());
+  return (call != nullptr && call->function == Function::abs) ||
+         (power != nullptr && (power->exponent / Number(2)).is_integer());
+}
+
+struct SizeFactors {
+  Expression sizes, others;
+};
+
+SizeFactors size_factors(const Expression& e) {
+  Graph& graph = e.graph();
+  const Expression one = graph.number(1);
+  if (is_size(e)) return {e, one};
+  const auto* found = std::get_if<Product>(&e.node());
+  if (found == nullptr) return {one, e};
+  const Product product = *found;
+  std::vector<Expression> sizes, others;
+  for (const NodeId id : product.factors) {
+    const Expression factor(graph, id);
+    (is_size(factor) ? sizes : others).push_back(factor);
+  }
+  if (sizes.empty()) return {one, e};
+  if (others.empty()) {
+    sizes.push_back(
+        graph.number(product.coefficient.is_negative() ? -product.coefficient : product.coefficient));
+    return {graph.product(sizes), one};
+  }
+  others.push_back(graph.number(product.coefficient));
+  return {graph.product(sizes), graph.product(others)};
+}
+
+}  // namespace
 
 Expression Graph::call(Function function, const Expression& argument) {
   const bool odd = function != Function::cos && function != Function::cosh && function != Function::abs &&
@@ -230,6 +271,13 @@ Expression Graph::call(Function function, const Expression& argument) {
   if (function == Function::log && argument.is_one()) return number(0);
   if (function == Function::abs && argument.number() != nullptr)
     return argument.number()->is_negative() ? -argument : argument;
+  const auto* within = std::get_if<Call>(&argument.node());
+  if (function == Function::sign && within != nullptr && within->function == function) return argument;
+  if (function == Function::abs) {
+    const SizeFactors parts = size_factors(argument);
+    if (parts.others.is_one()) return parts.sizes;
+    if (!parts.sizes.is_one()) return call(function, parts.others) * parts.sizes;
+  }
   if ((odd || even) && leads_with_minus(argument)) {
     const Expression mirrored = call(function, -argument);
     return odd ? -mirrored : mirrored;

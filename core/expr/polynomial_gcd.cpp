@@ -125,10 +125,31 @@ Polynomial slope(const Polynomial& a, NodeId x) {
   return result;
 }
 
+/// a with whole numbers in place of all symbols but x.
+Polynomial along(const Polynomial& a, NodeId x) {
+  Polynomial result;
+  for (const auto& [monomial, coefficient] : a) {
+    Number value = coefficient;
+    for (const Atom& atom : monomial) {
+      const std::int64_t number = 100 + atom.base % 97;
+      if (atom.base != x) value = value * power(Number(number), atom.p);
+    }
+    add(result, times({}, x, exponent_of(monomial, x)), value);
+  }
+  return result;
+}
+
+/// Whether a factor with x in it may be there twice, which is so for all numbers in place of the others.
+bool may_repeat(const Polynomial& a, NodeId x) {
+  const Polynomial line = along(a, x);
+  return degree(line, x) > 1 && degree(divisor_of(line, slope(line, x)), x) > 0;
+}
+
 /// A factor that is there twice in a, which has no monomial for a factor. a has in common with its derivative
 /// the factors that it has more than once, each of them once less.
 std::optional<Polynomial> repeated_factor(const Polynomial& a) {
   for (const NodeId x : symbols_of(a)) {
+    if (!may_repeat(a, x)) continue;
     Polynomial common = divisor_of(a, slope(a, x));
     if (degree(common, x) == 0) continue;
     if (const Polynomial more = divisor_of(common, slope(common, x)); degree(more, x) > 0)

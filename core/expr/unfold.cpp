@@ -3,13 +3,21 @@
 #include <algorithm>
 #include <optional>
 
+#include "core/base/error.hpp"
 #include "core/expr/kept_terms.hpp"
+#include "core/expr/polynomial_gcd.hpp"
 #include "core/expr/simplify.hpp"
 
 namespace qdot {
 namespace {
 
 constexpr std::size_t most_arguments_compared = 8;  ///< arguments
+
+bool divides(const Polynomial& terms) {
+  return std::ranges::any_of(terms, [](const auto& term) {
+    return std::ranges::any_of(term.first, [](const Atom& atom) { return atom.p < 0; });
+  });
+}
 
 bool is_kink(const Node& node) {
   const auto* call = std::get_if<Call>(&node);
@@ -33,6 +41,11 @@ class Unfolding {
   }
 
  private:
+  /// In its short form, by which it is known again, and as it is computed, which keeps its digits.
+  struct Argument {
+    Expression short_form, computed;
+  };
+
   [[nodiscard]] Expression smooth(const Expression& e) const {
     return result_.replacements.empty() ? e : substitute(e, result_.replacements);
   }
@@ -53,9 +66,9 @@ class Unfolding {
       const Expression size = graph_.call(Function::abs, smooth({graph_, call->argument}));
       result_.replacements.emplace_back(Expression(graph_, id), pow(size, power.exponent));
     }
-    if (is_even_power(power.base))
-      result_.replacements.emplace_back(Expression(graph_, id), size_of(power.base, power.exponent));
-    if (std::holds_alternative<Product>(graph_.node(power.base))) unfold_product(id, power);
+    const auto size =
+        is_even_power(power.base) ? size_of(power.base, power.exponent) : size_of_squares(power);
+    if (size) result_.replacements.emplace_back(Expression(graph_, id), *size);
   }
 
   [[nodiscard]] bool is_even_power(NodeId id) const {
@@ -66,32 +79,52 @@ class Unfolding {
   /// |u|^(p q) for the even power u^p.
   [[nodiscard]] Expression size_of(NodeId even_power, const Number& q) {
     const Power inner = std::get<Power>(graph_.node(even_power));
-    const Argument base = argument_of({graph_, inner.base});
-    const Number exponent = inner.exponent * q;
+    return size_of(argument_of({graph_, inner.base}), inner.exponent * q);
+  }
+
+  [[nodiscard]] Expression size_of(const Argument& u, const Number& exponent) {
     const Expression size =
-        exponent.is_integer() ? side_of(base) * base.computed : graph_.call(Function::abs, base.computed);
+        exponent.is_integer() ? side_of(u) * u.computed : graph_.call(Function::abs, u.computed);
     return pow(size, exponent);
   }
 
-  /// (c u^2)^(1/2) is c^(1/2) |u| where c is constant: it has no value for c < 0.
-  void unfold_product(NodeId id, const Power& power) {
-    const Product product = std::get<Product>(graph_.node(power.base));
+  /// (a u^2)^q is a^q |u|^(2 q), also where the square is written out: it has no value for a < 0.
+  [[nodiscard]] std::optional<Expression> size_of_squares(const Power& power) {
+    if (const auto sizes = size_of_factors(power)) return sizes;
+    const std::optional<SquareFactors> parts = squares_in({graph_, power.base});
+    if (!parts) return std::nullopt;
+    const Expression u = to_expression(graph_, parts->outside), a = to_expression(graph_, parts->inside);
+    return pow(smooth(a), power.exponent) * size_of(argument_of(u), Number(2) * power.exponent);
+  }
+
+  [[nodiscard]] std::optional<SquareFactors> squares_in(const Expression& base) const {
+    try {
+      SquareFactors parts = square_factors(multiplied_out(base));
+      if (divides(parts.outside) || !depends_on(to_expression(graph_, parts.outside), variables_))
+        return std::nullopt;
+      return parts;
+    } catch (const Error&) {  // too large
+      return std::nullopt;
+    }
+  }
+
+  /// As they are written, which keeps digits, where all that varies are even powers.
+  [[nodiscard]] std::optional<Expression> size_of_factors(const Power& power) {
+    const auto* found = std::get_if<Product>(&graph_.node(power.base));
+    if (found == nullptr) return std::nullopt;
+    const Product product = *found;
     Expression constant = graph_.number(product.coefficient), sizes = graph_.number(1);
     for (const NodeId factor : product.factors) {
       const bool varies = depends_on(Expression(graph_, factor), variables_);
-      if (varies && !is_even_power(factor)) return;
+      if (varies && !is_even_power(factor)) return std::nullopt;
       if (!varies) constant = constant * Expression(graph_, factor);
     }
     for (const NodeId factor : product.factors) {
       if (depends_on(Expression(graph_, factor), variables_)) sizes = sizes * size_of(factor, power.exponent);
     }
-    result_.replacements.emplace_back(Expression(graph_, id), pow(constant, power.exponent) * sizes);
+    return pow(constant, power.exponent) * sizes;
   }
 
-  /// In its short form, by which it is known again, and as it is computed, which keeps its digits.
-  struct Argument {
-    Expression short_form, computed;
-  };
   [[nodiscard]] Argument argument_of(const Expression& inside) const {
     const Expression written = smooth(inside);
     const Expression short_form = simplify(written);
@@ -104,34 +137,84 @@ class Unfolding {
     const Scaled scaled = split_coefficient(argument.short_form);
     const bool opposite = scaled.coefficient < Number(0);
     for (std::size_t k = 0; k < result_.sides.size(); ++k) {
-      const auto factor = multiple_of(scaled.rest, k);
-      if (!factor) continue;
-      const Expression side = factor->is_one() ? result_.sides[k] : sign_of(*factor) * result_.sides[k];
+      const auto shared = shared_with(scaled.rest, k);
+      if (!shared) continue;
+      if (shared->known != graph_.number(1)) measure_by(k, *shared);
+      const Expression side = sign_of(shared->one) * result_.sides[k];
       return opposite ? -side : side;
     }
     result_.short_forms.push_back(scaled.rest);
     const bool is_short = argument.computed == argument.short_form;
     result_.arguments.push_back(is_short ? scaled.rest : opposite ? -argument.computed : argument.computed);
-    result_.sides.push_back(graph_.symbol("side " + std::to_string(result_.sides.size() + 1)));
+    result_.sides.push_back(new_side());
     return opposite ? -result_.sides.back() : result_.sides.back();
   }
 
-  /// c without variables and t in u = c u_k, where that has a number for a slope: two dry frictions on one
-  /// belt are one.
-  [[nodiscard]] std::optional<Expression> multiple_of(const Expression& u, std::size_t k) const {
+  [[nodiscard]] Expression new_side() { return graph_.symbol("side " + std::to_string(++numbered_)); }
+
+  /// u = one v and u_k = known v, with factors that are constant.
+  struct Shared {
+    Expression v, one, known;
+  };
+
+  /// Two dry frictions on one belt are one. Neither factor divides by what may be zero where the other is
+  /// not.
+  [[nodiscard]] std::optional<Shared> shared_with(const Expression& u, std::size_t k) const {
     const Expression& known = result_.short_forms[k];
-    if (u == known) return graph_.number(1);
+    if (u == known) return Shared{known, graph_.number(1), graph_.number(1)};
     if (result_.sides.size() > most_arguments_compared) return std::nullopt;
-    for (const Expression& variable : variables_) {
-      const Expression slope = simplify(differentiate(known, variable));
-      if (slope.is_zero()) continue;
-      if (slope.number() == nullptr) return std::nullopt;  // a parameter may be 0, and the other one not
-      const Expression factor = simplify(differentiate(u, variable) / slope);
-      const bool varies = depends_on(factor, variables_) || depends_on(factor, graph_.symbol("t"));
-      const bool is_multiple = !varies && !factor.is_zero() && simplify(u - factor * known).is_zero();
-      return is_multiple ? std::optional(factor) : std::nullopt;
+    const Parts a = parts_of(u), b = parts_of(known);
+    try {
+      const Polynomial v = greatest_common_divisor(a.varying, b.varying);
+      const auto one = exact_quotient(a.varying, v), other = exact_quotient(b.varying, v);
+      if (!one || !other) return std::nullopt;
+      Shared shared{to_expression(graph_, v), to_expression(graph_, *one) * a.constant,
+                    to_expression(graph_, *other) * b.constant};
+      if (varies(shared.one) || varies(shared.known)) return std::nullopt;
+      if (const Expression ratio = simplify(shared.one / shared.known); !divides(multiplied_out(ratio)))
+        return Shared{known, ratio, graph_.number(1)};
+      return result_.arguments[k] == known ? std::optional(shared) : std::nullopt;
+    } catch (const Error&) {  // too large
+      return std::nullopt;
     }
-    return std::nullopt;
+  }
+
+  [[nodiscard]] bool varies(const Expression& e) const {
+    return depends_on(e, variables_) || depends_on(e, graph_.symbol("t"));
+  }
+
+  /// A polynomial, and a constant that all its terms have for a factor: x_dot - a/R is R x_dot - a and 1/R.
+  struct Parts {
+    Polynomial varying;
+    Expression constant;
+  };
+  [[nodiscard]] Parts parts_of(const Expression& u) const {
+    Polynomial terms = multiplied_out(u);
+    Monomial constant;
+    for (const Atom& atom : common_monomial(terms)) {
+      if (!varies({graph_, atom.base})) constant.push_back(atom);
+    }
+    terms = scaled(terms, inverse(constant), Number(1));
+    Monomial divisors;
+    for (const auto& [monomial, coefficient] : terms) {
+      for (const Atom& atom : monomial) {
+        const int missing = -exponent_of(divisors, atom.base) - atom.p;
+        if (atom.q == 1 && missing > 0 && !varies({graph_, atom.base}))
+          divisors = times(divisors, atom.base, missing);
+      }
+    }
+    return {scaled(terms, divisors, Number(1)), to_expression(graph_, constant * inverse(divisors))};
+  }
+
+  /// v takes the place of u_k = f v.
+  void measure_by(std::size_t k, const Shared& shared) {
+    const Expression side = new_side();
+    const Replacement replaced{result_.sides[k], sign_of(shared.known) * side};
+    for (auto& [kink, smooth] : result_.replacements) smooth = substitute(smooth, {&replaced, 1});
+    for (Expression& u : result_.arguments) u = substitute(u, {&replaced, 1});
+    for (Expression& u : result_.short_forms) u = substitute(u, {&replaced, 1});
+    result_.sides[k] = side;
+    result_.arguments[k] = result_.short_forms[k] = shared.v;
   }
 
   [[nodiscard]] Expression sign_of(const Expression& factor) const {
@@ -158,6 +241,7 @@ class Unfolding {
   Graph& graph_;
   std::span<const Expression> variables_;
   Unfolded result_;
+  int numbered_{};
 };
 
 }  // namespace

@@ -41,6 +41,8 @@ bool contains(const Box& outer, const Box& box) {
   return true;
 }
 
+bool is_bounded(const Box& box) { return std::ranges::all_of(box, &Interval::is_finite); }
+
 bool overlap(const Box& a, const Box& b) {
   for (std::size_t i = 0; i < a.size(); ++i) {
     if (is_empty(intersection(a[i], b[i]))) return false;

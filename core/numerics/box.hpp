@@ -16,6 +16,7 @@ using Box = std::vector<Interval>;
 [[nodiscard]] bool is_inside(const Box& a, const Box& b);
 [[nodiscard]] bool contains(const Box& outer, const Box& box);
 [[nodiscard]] bool overlap(const Box& a, const Box& b);
+[[nodiscard]] bool is_bounded(const Box& box);
 
 /// What a search compares and halves boxes by, in units in which every size counts alike: asinh(x / scale),
 /// with a scale for each unknown, the size that matters near zero.

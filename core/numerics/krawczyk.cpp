@@ -34,6 +34,7 @@ Box values_over(const SquareSystem& system, const Box& x) {
 Box krawczyk(const SquareSystem& system, const Box& box) {
   const std::size_t n = box.size();
   const Box c = middle(box);
+  if (!is_bounded(values_over(system, box))) return box;  // where F jumps its slopes may have a bound
   const auto y = inverse_at(system, c);
   if (!y) return box;
   const Box f = values_over(system, c);

@@ -23,10 +23,6 @@ bool may_vanish(const Box& values) {
   return std::ranges::all_of(values, [](const Interval& v) { return v.contains(0.0); });
 }
 
-bool is_bounded(const Box& values) {
-  return std::ranges::all_of(values, [](const Interval& v) { return v.is_finite(); });
-}
-
 std::vector<double> completed(std::span<const double> scales, std::size_t dimension) {
   std::vector<double> all(scales.begin(), scales.end());
   all.resize(dimension, 1.0);

@@ -119,6 +119,7 @@ void ForceSystem::write_jacobian(const Sides& sides, std::span<const Interval> u
                                  std::span<Interval> out) {
   const auto v = arguments(sides, unknowns);
   std::size_t next = 0;
+  if (forces_.has_poles) values_(v, g_);
   const auto write_row = [&](const Box& rows, std::size_t row) {
     const std::size_t first = row * (n_ + kinks_);
     for (const std::size_t j : forces_.unknowns) out[next++] = rows[first + j];
@@ -127,7 +128,13 @@ void ForceSystem::write_jacobian(const Sides& sides, std::span<const Interval> u
     }
   };
   stiffness_(v, k_);
-  for (const std::size_t i : equations_) write_row(k_, i);
+  for (const std::size_t i : equations_) {
+    const std::span<Interval> row = out.subspan(next);
+    write_row(k_, i);
+    // A slope may have a bound where its force jumps: that of sqrt(x^2)/x is 0.
+    if (forces_.has_poles && !g_[i].is_finite())
+      std::ranges::fill(row.first(row.size() - (out.size() - next)), Interval::whole());
+  }
   if (next == out.size()) return;
   slopes_(v, du_);
   for (std::size_t k = 0; k < kinks_; ++k) {

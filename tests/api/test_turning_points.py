@@ -177,7 +177,7 @@ class TurningPoints(Service):
                 self.within(answer, "x_max", highest)
 
     def test_what_is_not_seen_far_away_is_called_so(self):
-        potential = "-x^2/2 + 0.665*((x - 0.886 + abs(x - 0.886))/2)^2"
+        potential = "-x^2/2 + 0.665*(x - 0.886 + sqrt((x - 0.886)^2 + 1))^2"
         system = lagrangian("ramp", "", "x - 0.1 2.87", f"x_dot^2/2 - ({potential})")
         del system["parameters"]
         answer = self.ask("turning_points", {"system": system, "coordinate": "x"})

@@ -52,12 +52,18 @@ TEST_F(Unfolding, TakesMultiplesOfOneArgumentForOneKink) {
   ASSERT_EQ(by_parameter.sides.size(), 1);
   const std::vector<Replacement> below{{by_parameter.sides[0], graph_.number(-1)}};
   EXPECT_TRUE(simplify(substitute(by_parameter.smooth[0], below) - parsed("-x - sign(c)*c*x")).is_zero());
-  EXPECT_EQ(unfolded_along_x("abs(c*x) + abs(w*x)").sides.size(), 2);  // each may be 0
+  for (const std::string text :
+       {"abs(c*x) + abs(w*x)", "sign(c*x - c) + abs(x - 1)", "abs(x/c - 2/w) + abs(3*w*x - 6*c)",
+        "abs(c*x - w) + sign(-2*c^2*x + 2*c*w)"})
+    EXPECT_EQ(unfolded_along_x(text).sides.size(), 1) << text;
+  EXPECT_EQ(unfolded_along_x("abs(c*x) + abs(w*x - 1)").sides.size(), 2);
   EXPECT_EQ(unfolded_along_x("abs(x) + abs(x - 1)").sides.size(), 2);
 }
 
 TEST_F(Unfolding, KnowsTheRootOfASquareBesideConstants) {
-  for (const std::string text : {"sqrt(c^2*x^2)", "sqrt(4*x^2)", "sqrt(w*x^2)", "(c*x^2)^1.5"})
+  for (const std::string text :
+       {"sqrt(c^2*x^2)", "sqrt(4*x^2)", "sqrt(w*x^2)", "(c*x^2)^1.5", "sqrt(c*x^2 + w*x^2)",
+        "sqrt(x^2 - x + 0.25)", "sqrt((x - 1)^2*(x^2 + 1))", "sqrt(abs(x)^2)"})
     EXPECT_EQ(unfolded_along_x(text).sides.size(), 1) << text;
   const Unfolded pieces = unfolded_along_x("sqrt(w*x^2)");
   EXPECT_EQ(pieces.smooth[0], simplify(pieces.sides[0] * parsed("sqrt(w)*x")));
