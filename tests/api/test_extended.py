@@ -235,6 +235,14 @@ class Extended(Service):
                 self.assertTrue(answer["accuracy"]["bounded"])
                 self.assertNotIn("reason", answer["accuracy"])
 
+    def test_a_pulse_that_is_less_than_all_doubles_at_first_comes_to_an_answer(self):
+        system = {"name": "pushed", "units": "none", "coordinates": [{"name": "x"}], "lagrangian": "x_dot^2/2",
+                  "forces": [{"name": "f", "value": "exp(-(t - 90)^2)", "along": "x"}]}
+        for t_end, truth in ((40, 0), (60, 0), (100, 17.724538509055161)):
+            answer = self.ask("simulate", {"system": system, "t_end": t_end, "samples": 2, "precision": "extended", "max_error": 1e-18})
+            self.assertLess(abs(answer["trajectory"]["x"][-1] - truth), 1e-14)
+            self.assertLess(answer["accuracy"]["max_abs_error"]["x"], 1e-18)
+
     def test_rounding_inside_a_force_is_in_the_error(self):
         """x'' = exp(-t^2) with the square written out: all computations in double-doubles have its rounding in common."""
         rng = random.Random(20241126)
