@@ -19,7 +19,7 @@ QUOTIENTS = [
 ]
 # Potentials that are 2|x - place| but for how they are written.
 KINKS = ["2*sqrt((x - 1)^2)", "sqrt(4*x^2 - 8*x + 4)", "sqrt((d + c)*(x - 1)^2)", "sqrt(c*(x - 1)^2 + d*(x - 1)^2)",
-         "2*abs(abs(x - 1))", "sqrt(abs(2*x - 2)^2)", "abs(c*x - c) - (x - 1)*sign(c*x - c*d)"]
+         "2*abs(abs(x - 1))", "sqrt(abs(2*x - 2)^2)", "abs(c*x - c) - (x - 1)*sign(c*x - c)"]
 
 
 class QuotientsThatCancel(Service):
