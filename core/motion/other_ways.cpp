@@ -16,7 +16,7 @@
 namespace qdot {
 namespace {
 
-constexpr std::size_t most_ways = 4;
+constexpr std::size_t most_ways = 16;
 constexpr Tolerances of_checks{1e-12, 1e-15};
 constexpr double much_larger = 10;  ///< errors than without
 constexpr double widened = 2;  ///< times how early another way begins before a place: so long after it, too
