@@ -18,6 +18,9 @@ constexpr double gradient_tolerance = 1e-3, other_tolerance = 0.05;
 constexpr double longest_part = 0.25;
 /// In units of the sizes: what is left of the way, and where rounding ends it.
 constexpr double flow_arrived = 1e-6, nearly_arrived = 1e-4;
+/// A way that is so long, in units of the sizes or 1, leads to no end, and one so steep, in units of the rate
+/// at its start, into a pole.
+constexpr double too_far = 1e5, too_steep = 1e8;
 /// Of the steepest curvature: below it an axis is flat.
 constexpr double flat = 1e-9;
 
@@ -56,6 +59,8 @@ class Flow {
       leave_out_rounding();
       const double left = way_left();
       if (left < flow_arrived) return x_;
+      if (i == 0) first_rate_ = rate();
+      if (leads_nowhere()) return std::nullopt;
       if (!step()) return left < nearly_arrived ? std::optional(x_) : std::nullopt;
     }
     return std::nullopt;
@@ -148,7 +153,7 @@ class Flow {
   }
 
   [[nodiscard]] bool step() {
-    if (time_ == 0) time_ = first_time();
+    if (time_ == 0) time_ = 0.1 / first_rate_;
     for (int tries = 0; tries < 60; ++tries) {
       const double parts = tried(time_);
       if (parts < 1) {
@@ -160,17 +165,21 @@ class Flow {
     return false;
   }
 
-  [[nodiscard]] double first_time() const {
-    const double rate = steepest();
-    const double length = largest_part(slope_.axes * slope_.force, hillside_.sizes);
-    return 0.1 / std::max(rate, length);
+  /// Of what the flow does, per time.
+  [[nodiscard]] double rate() const {
+    return std::max(steepest(), largest_part(slope_.axes * slope_.force, hillside_.sizes));
+  }
+
+  [[nodiscard]] bool leads_nowhere() const {
+    const VectorXd sizes = hillside_.sizes.cwiseMax(1);
+    return largest_part(x_ - start_, sizes) > too_far || steepest() > too_steep * first_rate_;
   }
 
   const Hillside& hillside_;
   VectorXd start_, x_;
   Slope slope_;
   double rounding_{};  ///< of a force
-  double time_{};
+  double first_rate_{}, time_{};
 };
 
 }  // namespace

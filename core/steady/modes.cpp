@@ -75,7 +75,7 @@ class Analysis {
       if (error.code() != ErrorCode::not_applicable) throw;
       const SteadyProblem problem = steady_problem(dynamics_, parameters_, start_);
       refuse_cones(problem, guess);
-      if (problem.forces->smooth.kinks() == 0) throw;
+      if (problem.forces->smooth.kinks() == 0 && dynamics_.kinks() == nullptr) throw;
       throw Error(error.code(), std::string(error.what()) +
                                     " An abs() or a sign() in the forces has kinks; an equilibrium at one "
                                     "has no modes, and 'equilibria' lists it.");
