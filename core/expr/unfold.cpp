@@ -132,8 +132,31 @@ class Unfolding {
     return {short_form, loses_digits ? written : short_form};
   }
 
+  /// c rest for a sum of c_v v over the variables with c_v = c by a number, where c is a sum that may be 0:
+  /// then nothing is left of the kink, and its argument says nothing of where it is.
+  struct Factored {
+    Expression factor, rest;
+  };
+  [[nodiscard]] std::optional<Factored> cancelling_factor(const Expression& u) const {
+    std::optional<Expression> factor;
+    Expression rest = graph_.number(0);
+    for (const Expression& variable : variables_) {
+      const Expression slope = simplify(differentiate(u, variable));
+      if (slope.is_zero()) continue;
+      if (!factor) factor = slope;
+      const Expression ratio = simplify(slope / *factor);
+      if (!std::holds_alternative<Sum>(factor->node()) || ratio.number() == nullptr) return std::nullopt;
+      rest = rest + ratio * variable;
+    }
+    const bool varies = !factor || depends_on(*factor, variables_) || depends_on(*factor, graph_.symbol("t"));
+    if (varies || !simplify(u - *factor * rest).is_zero()) return std::nullopt;
+    return Factored{*factor, rest};
+  }
+
   /// The same for every multiple of one argument, but for the sign of the factor.
   Expression side_of(const Argument& argument) {
+    if (const auto factored = cancelling_factor(argument.short_form))
+      return sign_of(factored->factor) * side_of({factored->rest, factored->rest});
     const Scaled scaled = split_coefficient(argument.short_form);
     const bool opposite = scaled.coefficient < Number(0);
     for (std::size_t k = 0; k < result_.sides.size(); ++k) {
