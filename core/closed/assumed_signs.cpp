@@ -17,6 +17,17 @@ namespace {
 
 constexpr int far_places = 32;
 
+bool is_number(const Polynomial& e) { return e.size() == 1 && e.begin()->first.empty(); }
+
+/// 10*a and 17 as a and 1.7.
+void take_bound(Graph& graph, Polynomial& side, Polynomial& bound) {
+  if (side.size() != 1 || !is_number(bound)) return;
+  const auto& [monomial, coefficient] = *side.begin();
+  if (!std::holds_alternative<Symbol>(to_expression(graph, {{monomial, Number(1)}}).node())) return;
+  bound = scaled(bound, {}, Number(1) / coefficient);
+  side = {{monomial, Number(1)}};
+}
+
 std::string inequality(const ExactValues& values, const Expression& e) {
   Graph& graph = e.graph();
   Polynomial above, below;
@@ -38,7 +49,9 @@ std::string inequality(const ExactValues& values, const Expression& e) {
   const auto written = [&](const Polynomial& side) {
     return print(to_expression(graph, side), Form::text, notation);
   };
-  return written(above) + " > " + written(below);
+  take_bound(graph, above, below);
+  take_bound(graph, below, above);
+  return is_number(above) ? written(below) + " < " + written(above) : written(above) + " > " + written(below);
 }
 
 }  // namespace

@@ -15,6 +15,21 @@
 #include "core/expr/special_angles.hpp"
 
 namespace qdot {
+
+std::vector<Expression> not_spoken_of(const TurningEquation& equation,
+                                      const std::vector<std::string>& assumes,
+                                      const std::vector<Expression>& constants) {
+  std::vector<Expression> symbols = equation.values.symbols();
+  symbols.insert(symbols.end(), constants.begin(), constants.end());
+  std::erase_if(symbols, [&](const Expression& symbol) {
+    const std::string name = print(symbol, Form::text);
+    return std::ranges::any_of(assumes, [&](const std::string& assumed) {
+      return assumed == name + " > 0" || assumed == name + " < 0" || assumed.starts_with(name + " = ");
+    });
+  });
+  return symbols;
+}
+
 namespace {
 
 constexpr int tries_anywhere = 48;
@@ -63,21 +78,6 @@ void ask_coefficients(const Expression& potential, const Expression& x, AssumedS
   for (const auto& [varying, coefficient] : coefficients) {
     signs.ask(to_expression(graph, coefficient));
   }
-}
-
-/// What the formula assumes of its own symbols is all that holds at other parameters.
-std::vector<Expression> not_spoken_of(const TurningEquation& equation,
-                                      const std::vector<std::string>& assumes,
-                                      const std::vector<Expression>& constants) {
-  std::vector<Expression> symbols = equation.values.symbols();
-  symbols.insert(symbols.end(), constants.begin(), constants.end());
-  std::erase_if(symbols, [&](const Expression& symbol) {
-    const std::string name = print(symbol, Form::text);
-    return std::ranges::any_of(assumes, [&](const std::string& assumed) {
-      return assumed == name + " > 0" || assumed == name + " < 0" || assumed.starts_with(name + " = ");
-    });
-  });
-  return symbols;
 }
 
 /// The same parameters, with the constants of the motion that the equation's start gives it, where it is
