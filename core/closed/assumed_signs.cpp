@@ -1,7 +1,6 @@
 #include "core/closed/assumed_signs.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <utility>
 
@@ -359,42 +358,6 @@ Expression AssumedSigns::short_form(const Polynomial& e) const {
     number = Number(sign) * number;
   }
   return to_expression(graph, scaled(e, front, Number(1) / number));
-}
-
-std::vector<Expression> inside_domain(const Domain& domain, const Expression& x) {
-  std::vector<Expression> positive;
-  if (domain.lower == 0) positive.push_back(x);
-  if (domain.upper == 0) positive.push_back(-x);
-  return positive;
-}
-
-std::vector<std::string> assumed_at(const LinearMotions& motions, const ExactPlace& place,
-                                    const ExactValues& values) {
-  std::vector<Expression> given = place.undecided();
-  given.insert(given.end(), motions.momenta.begin(), motions.momenta.end());
-  const Relations none;
-  AssumedSigns signs(values, none, given);
-  std::vector<Expression> inside;
-  for (std::size_t k = 0; k < motions.moving.size(); ++k) {
-    const Domain& domain = values.model().scene.coordinates[motions.moving[k]].domain;
-    for (const Expression& e : inside_domain(domain, motions.x[k])) {
-      inside.push_back(e);
-      signs.ask(substitute(e, std::array{Replacement{motions.x[k], place.x()[k]}}));
-    }
-  }
-  if (!signs.are_there()) return {};
-  Trial trial(values, none);
-  for (const Expression& e : inside) trial.is_positive(e);
-  trial.set_given(given);
-  trial.set(motions.x, place.x());
-  for (const auto* vanishing : {&motions.forces, &motions.surface}) {
-    for (const Expression& e : *vanishing) trial.vanishes({e});
-  }
-  if (motions.stiffness.size() == 1) {
-    const Expression& stiffness = motions.stiffness[0][0];
-    trial.is_positive(values.value(stiffness).value < 0 ? -stiffness : stiffness);
-  }
-  return signs.needed_for(trial);
 }
 
 }  // namespace qdot

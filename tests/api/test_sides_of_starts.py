@@ -1,4 +1,4 @@
-"""Formulas of turning points that take a side of a kink at the start say which: at other parameters that satisfy what they assume, the service's own
+"""Formulas of turning points that take a side of a kink at the start say which, and so do places of rest: at other parameters that satisfy what they assume, the service's own
 numbers are theirs."""
 
 import pathlib
@@ -74,6 +74,13 @@ class SidesOfStarts(Service):
                     found = self.answer(potential, start, numbers)["constants"]["h"]
                     self.assertAlmostEqual(float(value(form["text"], numbers)), found, msg=(potential, form, numbers))
         self.assertGreater(checked, 15)
+
+    def test_a_place_of_rest_lies_on_a_side_of_the_kink(self):
+        """The force of k*|x|^(3/2) balances b only beyond a."""
+        system = lagrangian("beyond", "m - 1.13; k - 0.55; a - 0.565; b - 2.7", "x - 0.3", "m*x_dot^2/2 - k*abs(x)^(3/2) + b*abs(x - a)")
+        places = self.ask("equilibria", {"system": system})["equilibria"]
+        forms = [place["exact"]["x"] for place in places if place["state"]["x"] > 1]
+        self.assertEqual([(form["text"], form["assumes"]) for form in forms], [("4*b^2/(9*k^2)", ["k > 0", "b > 0", "4*b^2 > 9*k^2*a"])])
 
 
 if __name__ == "__main__":
