@@ -1,5 +1,5 @@
-"""Formulas of turning points that take a side of a kink at the start say which, and so do places of rest: at other parameters that satisfy what they assume, the service's own
-numbers are theirs."""
+"""Formulas of turning points that take a side of a kink at the start say which, and so do places of rest: at other parameters that satisfy what they
+assume, the service's own numbers are theirs."""
 
 import pathlib
 import random
