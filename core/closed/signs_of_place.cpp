@@ -49,6 +49,7 @@ std::vector<std::string> assumed_at(const LinearMotions& motions, const ExactPla
     for (std::size_t k = 0; k < motions.x.size(); ++k) there.emplace_back(motions.x[k], place.x()[k]);
     signs.ask(substitute(kink, there));
   }
+  for (const Expression& x : place.x()) signs.ask_for_value_of(x);
   if (!signs.are_there()) return {};
   Trial trial(values, none);
   for (const Expression& e : inside) trial.is_positive(e);
