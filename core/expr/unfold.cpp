@@ -19,6 +19,17 @@ bool divides(const Polynomial& terms) {
   });
 }
 
+/// Of a sum under a root, where one of the variables is in them.
+std::optional<SquareFactors> squares_in(const Expression& base, std::span<const Expression> variables) {
+  try {
+    SquareFactors parts = square_factors(multiplied_out(base));
+    const bool varies = depends_on(to_expression(base.graph(), parts.outside), variables);
+    return varies && !divides(parts.outside) ? std::optional(std::move(parts)) : std::nullopt;
+  } catch (const Error&) {  // too large
+    return std::nullopt;
+  }
+}
+
 bool is_kink(const Node& node) {
   const auto* call = std::get_if<Call>(&node);
   return call != nullptr && (call->function == Function::abs || call->function == Function::sign);
@@ -91,21 +102,10 @@ class Unfolding {
   /// (a u^2)^q is a^q |u|^(2 q), also where the square is written out: it has no value for a < 0.
   [[nodiscard]] std::optional<Expression> size_of_squares(const Power& power) {
     if (const auto sizes = size_of_factors(power)) return sizes;
-    const std::optional<SquareFactors> parts = squares_in({graph_, power.base});
+    const std::optional<SquareFactors> parts = squares_in({graph_, power.base}, variables_);
     if (!parts) return std::nullopt;
     const Expression u = to_expression(graph_, parts->outside), a = to_expression(graph_, parts->inside);
     return pow(smooth(a), power.exponent) * size_of(argument_of(u), Number(2) * power.exponent);
-  }
-
-  [[nodiscard]] std::optional<SquareFactors> squares_in(const Expression& base) const {
-    try {
-      SquareFactors parts = square_factors(multiplied_out(base));
-      if (divides(parts.outside) || !depends_on(to_expression(graph_, parts.outside), variables_))
-        return std::nullopt;
-      return parts;
-    } catch (const Error&) {  // too large
-      return std::nullopt;
-    }
   }
 
   /// As they are written, which keeps digits, where all that varies are even powers.
@@ -268,6 +268,24 @@ class Unfolding {
 };
 
 }  // namespace
+
+Expression with_squares_under_roots(const Expression& e, std::span<const Expression> variables) {
+  Graph& graph = e.graph();
+  std::vector<Replacement> found;
+  const NodeId root[]{e.id()};
+  for (const NodeId id : reachable(graph, root)) {
+    const auto* node = std::get_if<Power>(&graph.node(id));
+    if (node == nullptr || node->exponent.is_integer()) continue;
+    const Power power = *node;
+    if (!std::holds_alternative<Sum>(graph.node(power.base))) continue;
+    const std::optional<SquareFactors> parts = squares_in({graph, power.base}, variables);
+    if (!parts) continue;
+    const Expression u = to_expression(graph, parts->outside), a = to_expression(graph, parts->inside);
+    found.emplace_back(Expression(graph, id),
+                       pow(a, power.exponent) * pow(pow(u, Number(2)), power.exponent));
+  }
+  return found.empty() ? e : substitute(e, found);
+}
 
 Unfolded unfolded(std::span<const Expression> expressions, std::span<const Expression> variables) {
   if (expressions.empty()) return {};

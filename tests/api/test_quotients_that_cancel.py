@@ -46,6 +46,15 @@ class QuotientsThatCancel(Service):
                 self.assertLessEqual(abs(x - value), error, kink)
                 self.assertEqual(stability, kind, kink)
 
+    def test_turning_points_lie_beyond_a_square_that_is_written_out(self):
+        for square in ("x^2 - 2*x + 1", "(x - 1)^2", "4*x^2 - 8*x + 4 - 3*(x - 1)^2"):
+            scene = {"name": "one", "units": "none", "coordinates": [{"name": "x", "initial": "2.42"}],
+                     "lagrangian": f"x_dot^2/2 - (sqrt({square}) + x^2/2)"}
+            answer = self.ask("turning_points", {"system": scene})
+            self.assertEqual(answer["motion"], "libration")
+            truth = 1 - (2*(2.42 - 1 + 2.42**2/2) - 1)**0.5  # of (1 - x) + x^2/2 = E
+            self.assertLessEqual(abs(answer["x_min"] - truth), answer["error"]["x_min"] + 4e-16)
+
 
 if __name__ == "__main__":
     unittest.main()
