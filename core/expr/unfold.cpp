@@ -13,6 +13,8 @@ namespace {
 
 constexpr std::size_t most_arguments_compared = 8;  ///< arguments
 
+bool is_even(const Number& n) { return (n / Number(2)).is_integer(); }
+
 bool divides(const Polynomial& terms) {
   return std::ranges::any_of(terms, [](const auto& term) {
     return std::ranges::any_of(term.first, [](const Atom& atom) { return atom.p < 0; });
@@ -276,13 +278,19 @@ Expression with_squares_under_roots(const Expression& e, std::span<const Express
   for (const NodeId id : reachable(graph, root)) {
     const auto* node = std::get_if<Power>(&graph.node(id));
     if (node == nullptr || node->exponent.is_integer()) continue;
-    const Power power = *node;
-    if (!std::holds_alternative<Sum>(graph.node(power.base))) continue;
-    const std::optional<SquareFactors> parts = squares_in({graph, power.base}, variables);
+    const Number q = node->exponent;
+    const Expression base(graph, node->base);
+    if (const auto* inner = std::get_if<Power>(&base.node()); inner != nullptr && is_even(inner->exponent)) {
+      const Number n = inner->exponent;
+      const Expression u(graph, inner->base);
+      if (depends_on(u, variables))
+        found.emplace_back(Expression(graph, id), pow(graph.call(Function::abs, u), n * q));
+      continue;
+    }
+    const std::optional<SquareFactors> parts = squares_in(base, variables);
     if (!parts) continue;
     const Expression u = to_expression(graph, parts->outside), a = to_expression(graph, parts->inside);
-    found.emplace_back(Expression(graph, id),
-                       pow(a, power.exponent) * pow(pow(u, Number(2)), power.exponent));
+    found.emplace_back(Expression(graph, id), pow(a, q) * pow(graph.call(Function::abs, u), Number(2) * q));
   }
   return found.empty() ? e : substitute(e, found);
 }

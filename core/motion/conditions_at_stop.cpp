@@ -43,7 +43,9 @@ OtherConditions other_conditions_at_stop(const ComputedMotion& motion, const Eve
   for (const Watch& watch : all) {
     if (watch.reason.empty() || watch.reason == stop.reason) continue;
     const Interval values = watch.enclosure(Interval(stop.t - found.time, stop.t + found.time), states);
-    if (values.contains(0.0)) found.names += (found.names.empty() ? "'" : ", '") + watch.name + "'";
+    const std::string name = "'" + watch.name + "'";
+    if (!values.contains(0.0) || found.names.find(name) != std::string::npos) continue;
+    found.names += (found.names.empty() ? "" : ", ") + name;
   }
   return found;
 }

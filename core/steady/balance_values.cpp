@@ -189,7 +189,10 @@ struct Told {
     if (is_told && !forces[k].degree) break;
     const auto [c, near] = coefficients.of_force(k);
     Candidates now = forces[k].degree ? roots(c, near) : search_along_unknown(problem, k);
-    if (now.obstacle == Obstacle::not_decided) continue;
+    if (now.obstacle == Obstacle::not_decided || now.obstacle == Obstacle::may_end) {
+      if (best.found.obstacle != Obstacle::none) best = {std::move(now), k};
+      continue;
+    }
     if (now.obstacle != Obstacle::none) return {std::move(now), k};
     if (!is_told || widest(now.values) < widest(best.found.values)) best = {std::move(now), k};
   }

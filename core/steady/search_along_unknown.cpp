@@ -44,7 +44,7 @@ class UnknownSearch {
     if (first != nullptr) search_from(*first, from_both ? middle : region.upper);
     if (last != nullptr) search_from(*last, from_both ? middle : region.lower);
     if (ends.empty()) search_line(polynomial_.u_turns ? intersection({-3.2, 3.2}, region) : region);
-    if (!is_told_) return {Obstacle::not_decided, {}, "", 0};
+    if (!is_told_) return {has_other_ends_ ? Obstacle::may_end : Obstacle::not_decided, {}, "", 0};
     return found_.values.empty() ? none() : std::move(found_);
   }
 

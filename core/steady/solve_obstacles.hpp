@@ -20,6 +20,7 @@ enum class Obstacle {
   negative_square,  ///< u^2 would have to be negative
   none_in_domain,   ///< no zero of a force that is no polynomial of u
   not_decided,      ///< a force is too small to tell where it vanishes
+  may_end,          ///< forces have values in a part of the line that is not told, and may vanish at its ends
   at_kink,          ///< the forces have no single value at the position, or their kinks move with u
   no_common_value,  ///< no value makes all the forces vanish
   at_pole,          ///< only where what the forces divide by is zero, too

@@ -210,7 +210,8 @@ class PolynomialDerivation {
       result_.turns.push_back(angle && all([&](const Expression& e) { return has_full_turn(e, x_[j]); }));
       if (!all([&](const Expression& e) { return !depends_on(e, x_[j]); })) result_.needed.push_back(j);
     }
-    result_.u_turns = all([&](const Expression& e) { return has_full_turn(e, u_); });
+    const auto turns = [&](const Expression& e) { return has_full_turn(e, u_); };
+    result_.u_turns = all(turns) && std::ranges::all_of(poles_, turns);
   }
 
   template <class Holds>

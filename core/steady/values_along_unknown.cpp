@@ -112,7 +112,7 @@ Candidates without_poles(const BalanceProblem& problem, Candidates found, std::s
   });
   if (!are_poles) return {Obstacle::not_decided, {}, "", 0};
   if (told == found.values.begin() && told != found.values.end())
-    return {Obstacle::at_pole, {}, "", told->u.middle()};
+    return {Obstacle::at_pole, {}, "", told->u.contains(0.0) ? 0 : told->u.middle()};
   found.values.erase(told, found.values.end());
   return found;
 }

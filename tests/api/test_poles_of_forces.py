@@ -52,6 +52,14 @@ class PolesOfForces(Service):
     def test_a_pole_that_is_not_told_from_a_zero_refuses(self):
         self.assertIn("vanish too often", self.solved("(1 - cos(c))/c^2 - 0.3")["reason"])
 
+    def test_ends_of_a_domain_that_are_not_told_refuse(self):
+        for force in ("sqrt(4 - c^2) - 1", "asin(c) - 0.5"):
+            self.assertIn("where that ends they may vanish", self.solved(force)["reason"])
+
+    def test_no_turn_is_all_where_forces_do_not_come_back(self):
+        self.assertIn("vanish too often", self.solved("sin(c)/c")["reason"])
+        self.assertEqual(len(self.solved("sin(c) - 0.3")["all"]), 2)
+
     def test_several_values_within_rounding_are_said(self):
         for force, count in (("exp(c) - 1 - c", 1), ("exp(c) - 1 - c + 1e-17", 1), ("(cosh(c) - 1)*(c - 2)", 2)):
             answer = self.solved(force)
