@@ -225,9 +225,12 @@ std::vector<Expression> arguments_with_an_end(const Expression& e) {
   return found;
 }
 
+/// By more than rounding, as 1 - cos(x) is not.
 bool may_be_negative(const Watch& watch, const Dynamics& dynamics) {
+  constexpr double roundings = 16 * std::numeric_limits<double>::epsilon();
   const std::vector<Interval> anywhere(2 * dynamics.model().scene.coordinates.size(), Interval::whole());
-  return watch.enclosure(Interval::whole(), anywhere).lower < 0;
+  const Interval values = watch.enclosure(Interval::whole(), anywhere);
+  return values.lower < 0 && !(values.lower >= -roundings * values.upper && values.is_finite());
 }
 
 /// A condition is broken where it ceases to have a value, too.

@@ -8,6 +8,7 @@
 
 #include "core/expr/exact_number.hpp"
 #include "core/expr/simplify.hpp"
+#include "core/expr/unfold.hpp"
 #include "core/mechanics/impacts.hpp"
 #include "core/mechanics/inertia_check.hpp"
 #include "core/mechanics/jumps.hpp"
@@ -130,7 +131,8 @@ std::shared_ptr<const Model> build_model(const Scene& scene, const ExponentValue
       quantities.push_back(quantity_of(scene, model->lagrangian, conditions[i], list + std::to_string(i)));
     return quantities;
   };
-  model->validity = quantities_of(model->parsed.valid_while, "/valid_while/");
+  for (const Expression& e : quantities_of(model->parsed.valid_while, "/valid_while/"))
+    model->validity.push_back(with_squares_under_roots(e, model->parsed.symbols.coordinates.value));
   model->reports = quantities_of(model->parsed.reports, "/reports/");
   model->impulse = impulse_of_jumps(scene, model->lagrangian);
   model->partial = partial_quantities(model->parsed, model->lagrangian);

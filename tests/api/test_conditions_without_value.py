@@ -28,6 +28,15 @@ class ConditionsWithoutValue(Service):
                 self.assertLessEqual(abs(answer["stop"]["t"] - end), answer["stop"]["error"])
                 self.assertLess(answer["stop"]["error"], 3e-14)
 
+    def test_a_root_that_only_touches_its_end_breaks_nothing(self):
+        for expression in ("sqrt(1 - cos(x - 1)) + 0.1", "sqrt(1 - sin(x)) + 0.5", "sqrt(x^2 - x + 0.25) + 1"):
+            scene = {"name": "moving", "units": "none", "coordinates": [{"name": "x", "initial": "0", "initial_rate": "1"}],
+                     "lagrangian": "x_dot^2/2",
+                     "valid_while": [{"name": "v", "expression": expression, "reason": "over", "message": "It is over."}]}
+            answer = self.ask("simulate", {"system": scene, "t_end": 3, "samples": 2})
+            self.assertEqual(answer["status"], "complete", expression)
+            self.assertLess(answer["accuracy"]["max_abs_error"]["x"], 1e-12)
+
 
 if __name__ == "__main__":
     unittest.main()
