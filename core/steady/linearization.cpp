@@ -20,6 +20,14 @@ std::size_t place_of_free(const BallMatrix& allowed, std::size_t f) {
   return static_cast<std::size_t>(std::ranges::find_if(allowed, is_it) - allowed.begin());
 }
 
+Inertia signs_of(const SquareMatrix<Ball>& a) {
+  std::vector<Interval> entries;
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    for (std::size_t j = 0; j < a.size(); ++j) entries.push_back(a(i, j).interval());
+  }
+  return inertia_of(entries, a.size());
+}
+
 }  // namespace
 
 std::vector<Ball> evaluated(const CompiledFunction& function, const std::vector<Ball>& constants,
@@ -86,16 +94,15 @@ std::size_t undamped_among(const SmallMotions& motions, const std::vector<Shape>
   }));
 }
 
+bool has_one_sign(const SquareMatrix<Ball>& mass) {
+  const Inertia signs = signs_of(mass);
+  return signs.positive == mass.size() || signs.negative == mass.size();
+}
+
 bool held_by_potential(const SmallMotions& motions) {
+  const Inertia mass = signs_of(motions.mass), stiffness = signs_of(motions.stiffness);
   const std::size_t n = motions.size();
-  std::vector<Interval> stiffness;
-  for (std::size_t i = 0; i < n; ++i) {
-    for (std::size_t j = 0; j < n; ++j) {
-      const Ball& k = motions.stiffness(i, j);
-      stiffness.emplace_back(k.value() - k.error(), k.value() + k.error());
-    }
-  }
-  return inertia_of(stiffness, n).positive == n;
+  return (mass.positive == n && stiffness.positive == n) || (mass.negative == n && stiffness.negative == n);
 }
 
 SquareMatrix<ComplexBall> dynamic_stiffness(const SmallMotions& motions, const ComplexBall& s) {
