@@ -20,6 +20,29 @@ std::size_t place_of_free(const BallMatrix& allowed, std::size_t f) {
   return static_cast<std::size_t>(std::ranges::find_if(allowed, is_it) - allowed.begin());
 }
 
+/// w and w.M v, with w.K v = lambda w.M v for every w: v itself, or where v.M v may be zero, as beside a
+/// kinetic energy of two signs, the displacement with most of M v.
+struct Weights {
+  Shape w;
+  Ball inertia;
+};
+Weights weights(const Linearization& at, const Shape& v) {
+  const std::size_t n = v.size();
+  std::vector<Ball> momenta(n);
+  Weights result{v, {}};
+  for (std::size_t i = 0; i < n; ++i) {
+    for (std::size_t j = 0; j < n; ++j) momenta[i] = momenta[i] + at.reduced.mass(i, j) * v[j].re;
+    result.inertia = result.inertia + v[i].re * momenta[i];
+  }
+  if (!result.inertia.contains_zero()) return result;
+  const auto largest =
+      std::ranges::max_element(momenta, {}, [](const Ball& p) { return std::abs(p.value()); });
+  result.w.assign(n, {});
+  result.w[static_cast<std::size_t>(largest - momenta.begin())] = Ball(1);
+  result.inertia = *largest;
+  return result;
+}
+
 Inertia signs_of(const SquareMatrix<Ball>& a) {
   std::vector<Interval> entries;
   for (std::size_t i = 0; i < a.size(); ++i) {
@@ -64,16 +87,12 @@ double rounding_of_parameters(const Linearization& at, const Shape& shape) {
   std::vector<Ball> constants = at.constants;
   for (Ball& c : constants) c.radius += 0x1p-53 * std::abs(c.middle.high);
   const std::vector<Ball> k = evaluated(at.statics.stiffness, constants, at.place.x);
-  const Shape u = displaced(at, shape);
+  const auto [w, inertia] = weights(at, shape);
+  const Shape u = displaced(at, shape), along = displaced(at, w);
   double moved = 0;
   for (std::size_t i = 0; i < u.size(); ++i) {
     for (std::size_t j = 0; j < u.size(); ++j)
-      moved += magnitude(u[i]) * k[i * at.place.x.size() + j].radius * magnitude(u[j]);
-  }
-  Ball inertia;
-  for (std::size_t i = 0; i < shape.size(); ++i) {
-    for (std::size_t j = 0; j < shape.size(); ++j)
-      inertia = inertia + shape[i].re * at.reduced.mass(i, j) * shape[j].re;
+      moved += magnitude(along[i]) * k[i * at.place.x.size() + j].radius * magnitude(u[j]);
   }
   return moved / std::abs(inertia.middle.high);
 }

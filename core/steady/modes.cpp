@@ -192,6 +192,10 @@ class Analysis {
       result_.undecided =
           "An eigenvalue lies on the imaginary axis to within its error: whether that motion grows or decays "
           "is not decided.";
+    } else if (has(ModeKind::neutral) && !energy_decides()) {
+      result_.undecided =
+          "The linearized equations have the eigenvalue 0 to within the rounding of the parameters, and the forces "
+          "have no potential that would decide: whether small motions grow is not looked at.";
     } else if (has(ModeKind::neutral)) {
       result_.undecided =
           "Along the neutral mode the stiffness is zero to within the rounding of the parameters: higher "
@@ -210,6 +214,10 @@ class Analysis {
           " terms hold the system to first order, and linearization does not decide.";
     } else if (is_freed && !reduced_.undamped() && !reduced_.depends_on_squares()) {
       write_stability_beside_damping();
+    } else if (has(ModeKind::oscillation) && !energy_decides() && !frequencies_are_apart()) {
+      result_.undecided =
+          "Frequencies of small motions are one to within their errors, and the forces have no potential: by "
+          "them one motion may drive another, and whether small motions grow is not decided.";
     } else if (has(ModeKind::oscillation) && !energy_decides()) {
       result_.undecided =
           "Small motions neither grow nor decay to first order, and the forces have no potential that would "
@@ -225,9 +233,13 @@ class Analysis {
 
   /// With simple eigenvalues, none of them 0: else what oscillates or drifts may drive what has no damping.
   [[nodiscard]] bool are_apart() const {
+    const auto is_rigid = [](const Mode& mode) { return mode.kind == ModeKind::rigid; };
+    return std::ranges::none_of(result_.modes, is_rigid) && frequencies_are_apart();
+  }
+
+  [[nodiscard]] bool frequencies_are_apart() const {
     std::optional<Interval> last;
     for (const Mode& mode : result_.modes) {
-      if (mode.kind == ModeKind::rigid) return false;
       if (mode.kind != ModeKind::oscillation) continue;
       if (mode.multiplicity > 1 || !mode.omega_error) return false;
       const Interval omega = Interval(mode.omega) + Interval(-*mode.omega_error, *mode.omega_error);
