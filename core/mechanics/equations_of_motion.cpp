@@ -139,7 +139,7 @@ EquationsOfMotion derive_equations(const Lagrangian& lagrangian) {
     RawEquation raw = raw_equation(lagrangian, i);
     const Expression diagonal = simplify(differentiate(to_expression(graph, raw.left), q.second_rate[i]));
     Expression divisor = divide(lagrangian, raw, diagonal);
-    if (raw.right.empty()) {  // a number in front of everything says nothing
+    if (raw.right.empty() && !raw.left.empty()) {  // a number in front of everything says nothing
       const Number number = split_coefficient(simplify(to_expression(graph, raw.left))).coefficient;
       raw.left = scaled(raw.left, {}, Number(1) / number);
       divisor = number * divisor;

@@ -155,10 +155,6 @@ Stability by_linear_terms(const LinearizedForces& at, bool potential, const Stea
 
 }  // namespace
 
-const char* const two_signs =
-    "The kinetic energy has two signs here, so that the potential does not decide, and eigenvalues of the "
-    "linearized equations are zero or imaginary to within rounding: what terms beyond them do is not looked at.";
-
 bool has_potential(const LinearizedForces& at) {
   if (!at.has_potential) return false;
   for (std::size_t i = 0; i < at.n; ++i) {

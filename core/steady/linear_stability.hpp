@@ -50,9 +50,6 @@ struct LinearizedForces {
 /// belongs to no potential.
 [[nodiscard]] bool has_potential(const LinearizedForces& at);
 
-/// Why a potential does not decide where M is neither positive nor negative definite.
-extern const char* const two_signs;
-
 /// What the terms of a potential of one coordinate beyond K do, a sentence.
 using NextTerms = std::function<std::string()>;
 

@@ -10,7 +10,7 @@
 #include "core/dynamics/missing_values.hpp"
 #include "core/steady/cones.hpp"
 #include "core/steady/free_direction.hpp"
-#include "core/steady/linear_stability.hpp"
+#include "core/steady/inertia.hpp"
 #include "core/steady/mode_matrices.hpp"
 #include "core/steady/mode_search.hpp"
 #include "core/steady/steady_forces.hpp"

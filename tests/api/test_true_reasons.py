@@ -57,6 +57,14 @@ class TrueReasons(Service):
                 self.ask("energy", {"system": full})
                 self.ask("modes", {"system": full})
 
+    def test_a_coordinate_that_is_nowhere_is_named(self):
+        """Beside terms that are kept as they are written, too."""
+        for potential in ("a^2", "cos((p*a + p*b)^2 + 25/16*b^2)"):
+            idle = {"name": "idle", "units": "none", "coordinates": [{"name": q, "initial": "0.1"} for q in "abd"],
+                    "parameters": [{"name": "p", "default": "1.7"}], "lagrangian": f"(a_dot^2 + b_dot^2)/2 - {potential}"}
+            (error,) = self.refused("simulate", {"system": idle, "t_end": 1})["errors"]
+            self.assertEqual((error["pointer"], error["code"]), ("#/system/coordinates/2", "no_inertia"))
+
     def test_where_nothing_obeys_a_constraint_no_forces_are_spoken_of_alone(self):
         found = self.ask("equilibria", {"system": on_curve("x^2 + y^2 + 1", "1", "0")})
         self.assertEqual((found["equilibria"], found["complete"]), ([], True))
