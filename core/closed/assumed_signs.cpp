@@ -1,7 +1,6 @@
 #include "core/closed/assumed_signs.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <utility>
 
@@ -16,6 +15,17 @@ namespace qdot {
 namespace {
 
 constexpr int far_places = 32;
+
+bool is_number(const Polynomial& e) { return e.size() == 1 && e.begin()->first.empty(); }
+
+/// 10*a and 17 as a and 1.7.
+void take_bound(Graph& graph, Polynomial& side, Polynomial& bound) {
+  if (side.size() != 1 || !is_number(bound)) return;
+  const auto& [monomial, coefficient] = *side.begin();
+  if (!std::holds_alternative<Symbol>(to_expression(graph, {{monomial, Number(1)}}).node())) return;
+  bound = scaled(bound, {}, Number(1) / coefficient);
+  side = {{monomial, Number(1)}};
+}
 
 std::string inequality(const ExactValues& values, const Expression& e) {
   Graph& graph = e.graph();
@@ -38,7 +48,9 @@ std::string inequality(const ExactValues& values, const Expression& e) {
   const auto written = [&](const Polynomial& side) {
     return print(to_expression(graph, side), Form::text, notation);
   };
-  return written(above) + " > " + written(below);
+  take_bound(graph, above, below);
+  take_bound(graph, below, above);
+  return is_number(above) ? written(below) + " < " + written(above) : written(above) + " > " + written(below);
 }
 
 }  // namespace
@@ -346,42 +358,6 @@ Expression AssumedSigns::short_form(const Polynomial& e) const {
     number = Number(sign) * number;
   }
   return to_expression(graph, scaled(e, front, Number(1) / number));
-}
-
-std::vector<Expression> inside_domain(const Domain& domain, const Expression& x) {
-  std::vector<Expression> positive;
-  if (domain.lower == 0) positive.push_back(x);
-  if (domain.upper == 0) positive.push_back(-x);
-  return positive;
-}
-
-std::vector<std::string> assumed_at(const LinearMotions& motions, const ExactPlace& place,
-                                    const ExactValues& values) {
-  std::vector<Expression> given = place.undecided();
-  given.insert(given.end(), motions.momenta.begin(), motions.momenta.end());
-  const Relations none;
-  AssumedSigns signs(values, none, given);
-  std::vector<Expression> inside;
-  for (std::size_t k = 0; k < motions.moving.size(); ++k) {
-    const Domain& domain = values.model().scene.coordinates[motions.moving[k]].domain;
-    for (const Expression& e : inside_domain(domain, motions.x[k])) {
-      inside.push_back(e);
-      signs.ask(substitute(e, std::array{Replacement{motions.x[k], place.x()[k]}}));
-    }
-  }
-  if (!signs.are_there()) return {};
-  Trial trial(values, none);
-  for (const Expression& e : inside) trial.is_positive(e);
-  trial.set_given(given);
-  trial.set(motions.x, place.x());
-  for (const auto* vanishing : {&motions.forces, &motions.surface}) {
-    for (const Expression& e : *vanishing) trial.vanishes({e});
-  }
-  if (motions.stiffness.size() == 1) {
-    const Expression& stiffness = motions.stiffness[0][0];
-    trial.is_positive(values.value(stiffness).value < 0 ? -stiffness : stiffness);
-  }
-  return signs.needed_for(trial);
 }
 
 }  // namespace qdot

@@ -170,9 +170,9 @@ class SolutionForms {
     AssumedSigns signs(values_, relations, free);
     signs.leave_out(u_);
     signs.let_signs_go();
+    signs.ask_for_value_of(u);
     if (!signs.are_there()) return needed;
     Trial trial(values_, relations);
-    trial.only_where_real();
     trial.set_given(free);
     trial.set(held, numbers);
     trial.set({u_}, {u});

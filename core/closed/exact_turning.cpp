@@ -9,6 +9,7 @@
 #include "core/closed/elastic_period.hpp"
 #include "core/closed/period_form.hpp"
 #include "core/closed/place_algebra.hpp"
+#include "core/closed/start_sides.hpp"
 #include "core/closed/turning_equation.hpp"
 #include "core/closed/turning_signs.hpp"
 #include "core/expr/simplify.hpp"
@@ -127,11 +128,11 @@ class TurningForms {
     for (const Relations& relations : {equation_.values.relations(), Relations{}}) {
       const Expression left = divided(substitute(balance, relations.replacements));
       if (left.is_zero() || !depends_on(left, equation_.x)) return {};
-      const auto form = equation_.formula(left, relations, equation_.assumed, {&equation_.x, 1});
-      const bool better = form && (!result.equation || written_length(left) < length);
-      if (better) {
-        length = written_length(left);
-        result.equation = with_zero(*form);
+      if (!result.equation || written_length(left) < length) {
+        if (auto form = equation_of(balance, left, relations)) {
+          length = written_length(left);
+          result.equation = with_zero(*std::move(form));
+        }
       }
       extrema.consider(left, relations);
       extrema.consider_start(left, relations);
@@ -202,9 +203,31 @@ class TurningForms {
     const Relations& relations = equation_.values.relations();
     const Expression general = to_expression(*equation_.graph, rational_function(e));
     const Expression related = simplify(with_signs_taken(substitute(e, relations.replacements)));
-    if (written_length(related) < written_length(general))
-      return equation_.formula(related, relations, equation_.assumed);
-    return equation_.formula(general, {}, equation_.assumed);
+    if (written_length(related) < written_length(general)) {
+      if (auto form = constant(e, related, relations)) return form;
+    }
+    return constant(e, general, {});
+  }
+
+  [[nodiscard]] std::optional<ClosedForm> constant(const Expression& e, const Expression& formula,
+                                                   const Relations& relations) const {
+    auto form = equation_.formula(formula, relations, equation_.assumed);
+    if (!form) return form;
+    return with_sides(*form, sides_of_constant(equation_, e, formula, relations, form->assumes));
+  }
+
+  [[nodiscard]] std::optional<ClosedForm> equation_of(const Expression& balance, const Expression& left,
+                                                      const Relations& relations) const {
+    auto form = equation_.formula(left, relations, equation_.assumed, {&equation_.x, 1});
+    if (!form) return form;
+    return with_sides(*form, sides_of_equation(equation_, balance, left, relations, form->assumes));
+  }
+
+  static std::optional<ClosedForm> with_sides(ClosedForm form,
+                                              const std::optional<std::vector<std::string>>& sides) {
+    if (!sides) return std::nullopt;
+    form.assumes.insert(form.assumes.end(), sides->begin(), sides->end());
+    return form;
   }
 
   /// sqrt(d^2) and |d| as d where d > 0.

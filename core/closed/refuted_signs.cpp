@@ -12,8 +12,11 @@ AssumedSigns::Chosen AssumedSigns::that_tell(Tries& all) const {
   if (std::ranges::find(all.holds, false) == all.holds.end()) return Chosen{std::in_place};
   all.broken.resize(open_.size());
   for (std::size_t i = 0; i < open_.size(); ++i) {
-    for (std::size_t place = all.broken[i].size(); place < all.places.size(); ++place)
-      all.broken[i].push_back(is_broken(open_[i].e, all.places[place]));
+    for (std::size_t place = all.broken[i].size(); place < all.places.size(); ++place) {
+      const double value = rough_value(open_[i].e, all.places[place]);
+      const bool says_nothing = !all.is_real[place] && std::isnan(value);  // as the formula itself
+      all.broken[i].push_back(!says_nothing && !(value > 0));
+    }
   }
   return qdot::separating(all.broken, all.holds);
 }

@@ -28,6 +28,7 @@ using FarPlace = std::vector<RealAssignment>;
 struct Claim {
   bool holds{};
   std::vector<double> rooms{};
+  bool is_real{true};  ///< the formula has a value there
 };
 /// None where it claims nothing.
 using Tried = std::function<std::optional<Claim>(const FarPlace&)>;
@@ -42,6 +43,7 @@ class Tries {
     const auto verdict = tried_(place);
     if (!verdict) return false;
     holds.push_back(verdict->holds);
+    is_real.push_back(verdict->is_real);
     places.push_back(place);
     if (!verdict->holds) return true;
     scarce_.resize(std::max(scarce_.size(), verdict->rooms.size()));
@@ -65,7 +67,7 @@ class Tries {
   }
 
   std::vector<FarPlace> places;
-  std::vector<bool> holds;
+  std::vector<bool> holds, is_real;
   std::vector<std::vector<bool>> broken;  ///< of each condition, at the places that were looked at until now
 
  private:

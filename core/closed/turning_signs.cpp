@@ -2,9 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 
 #include "core/base/error.hpp"
+#include "core/closed/asked_of_turning.hpp"
 #include "core/closed/assumed_signs.hpp"
 #include "core/closed/barriers.hpp"
 #include "core/closed/speed_at.hpp"
@@ -15,15 +15,25 @@
 #include "core/expr/special_angles.hpp"
 
 namespace qdot {
+
+std::vector<Expression> not_spoken_of(const TurningEquation& equation,
+                                      const std::vector<std::string>& assumes,
+                                      const std::vector<Expression>& constants) {
+  std::vector<Expression> symbols = equation.values.symbols();
+  symbols.insert(symbols.end(), constants.begin(), constants.end());
+  std::erase_if(symbols, [&](const Expression& symbol) {
+    const std::string name = print(symbol, Form::text);
+    return std::ranges::any_of(assumes, [&](const std::string& assumed) {
+      return assumed == name + " > 0" || assumed == name + " < 0" || assumed.starts_with(name + " = ");
+    });
+  });
+  return symbols;
+}
+
 namespace {
 
 constexpr int tries_anywhere = 48;
 constexpr int tries_of_start = 480;
-
-Expression with_value(const Expression& e, const Expression& x, const Expression& value) {
-  const Replacement there{x, value};
-  return substitute(e, {&there, 1});
-}
 
 /// Whether a motion that is said to begin at an end does so there.
 class Start {
@@ -48,36 +58,6 @@ std::vector<std::string> without_impacts(const TurningEquation& equation, std::v
   const bool has_impacts = !equation.values.model().parsed.impacts.empty();
   if (has_impacts && !equation.found.walls) signs.emplace_back("the motion comes to no impact");
   return signs;
-}
-
-/// Those of what functions of x have for factors: (A - B) of (A - B)/sin(x)^2.
-void ask_coefficients(const Expression& potential, const Expression& x, AssumedSigns& signs) {
-  Graph& graph = x.graph();
-  std::map<Monomial, Polynomial, LeadingFirst> coefficients;
-  for (const auto& [monomial, number] : multiplied_out(potential)) {
-    Monomial varying, constant;
-    for (const Atom& atom : monomial)
-      (depends_on(Expression(graph, atom.base), x) ? varying : constant).push_back(atom);
-    if (!varying.empty()) add(coefficients[varying], constant, number);
-  }
-  for (const auto& [varying, coefficient] : coefficients) {
-    signs.ask(to_expression(graph, coefficient));
-  }
-}
-
-/// What the formula assumes of its own symbols is all that holds at other parameters.
-std::vector<Expression> not_spoken_of(const TurningEquation& equation,
-                                      const std::vector<std::string>& assumes,
-                                      const std::vector<Expression>& constants) {
-  std::vector<Expression> symbols = equation.values.symbols();
-  symbols.insert(symbols.end(), constants.begin(), constants.end());
-  std::erase_if(symbols, [&](const Expression& symbol) {
-    const std::string name = print(symbol, Form::text);
-    return std::ranges::any_of(assumes, [&](const std::string& assumed) {
-      return assumed == name + " > 0" || assumed == name + " < 0" || assumed.starts_with(name + " = ");
-    });
-  });
-  return symbols;
 }
 
 /// The same parameters, with the constants of the motion that the equation's start gives it, where it is
@@ -133,66 +113,6 @@ class FarStart {
   std::optional<Expression> x0_;
 };
 
-/// The sums of a formula, what it divides by, and what it takes roots of.
-void ask_parts(const Expression& formula, AssumedSigns& signs) {
-  Graph& graph = formula.graph();
-  const NodeId root = formula.id();
-  signs.ask(formula);
-  for (const NodeId id : reachable(graph, {&root, 1})) {
-    if (std::holds_alternative<Sum>(graph.node(id))) signs.ask(Expression(graph, id));
-  }
-}
-
-/// What is left of the energy at a place between the ends, and which way the force goes there.
-void ask_between(const QuadratureProblem& problem, const Expression& place, AssumedSigns& signs) {
-  constexpr std::size_t long_place = 20;
-  if (written_length(place) > long_place) return;
-  try {
-    for (const Expression& e :
-         {problem.energy - problem.potential, differentiate(problem.potential, problem.x)})
-      signs.ask(with_special_angles(with_value(e, problem.x, place)));
-  } catch (const Error&) {  // there is a pole
-  }
-}
-
-/// Whether the start lies within the turn about 0 of the angles that the potential speaks of: arcs of cosines
-/// do.
-void ask_turn_of_start(const QuadratureProblem& problem, const Expression& start, AssumedSigns& signs) {
-  Graph& graph = start.graph();
-  const NodeId root = problem.potential.id();
-  for (const NodeId id : reachable(graph, {&root, 1})) {
-    const auto* call = std::get_if<Call>(&graph.node(id));
-    if (call == nullptr || (call->function != Function::sin && call->function != Function::cos &&
-                            call->function != Function::tan))
-      continue;
-    if (!depends_on(Expression(graph, call->argument), problem.x)) continue;
-    const Expression angle = with_value(Expression(graph, call->argument), problem.x, start);
-    const Expression turn =
-        call->function == Function::tan ? Number::ratio(1, 2) * graph.symbol("pi") : graph.symbol("pi");
-    signs.ask(turn - angle);
-    signs.ask(turn + angle);
-  }
-}
-
-bool has_logarithm_of(const Expression& e, const Expression& x) {
-  const NodeId root = e.id();
-  return std::ranges::any_of(reachable(e.graph(), {&root, 1}), [&](NodeId id) {
-    const auto* call = std::get_if<Call>(&e.graph().node(id));
-    return call != nullptr && call->function == Function::log && call->argument == x.id();
-  });
-}
-
-void ask_about(const TurningEquation& equation, const QuadratureProblem& problem, AssumedSigns& signs) {
-  ask_between(problem, equation.graph->number(0), signs);
-  const bool is_angle = equation.values.model().scene.coordinates[equation.found.coordinate].unit == "rad";
-  if (is_angle) ask_between(problem, equation.graph->symbol("pi"), signs);
-  if (has_logarithm_of(problem.potential, equation.x)) ask_between(problem, equation.graph->number(1), signs);
-  for (const Expression& place :
-       places_of_barriers(factors_of_inertia(problem.inertia, problem.x), problem.x))
-    ask_between(problem, place, signs);
-  if (const auto start = equation.start()) ask_turn_of_start(problem, *start, signs);
-}
-
 using Needed = std::optional<std::vector<std::string>>;
 
 /// What is needed, and where no sign tells, what the force at the start tells beside it.
@@ -206,6 +126,19 @@ Needed with_force_at_start(const TurningEquation& equation, const QuadratureProb
   if (with && !by_start)
     with->push_back(print(equation.x, Form::text) + "(0) = " + print(*start, Form::text));
   return with;
+}
+
+/// Of a formula that has no value where a motion begins, which it ought to have if that is asked for.
+std::optional<Claim> not_real(const QuadratureProblem& problem, const std::optional<double>& start,
+                              const FarPlace& far, bool only_real) {
+  if (!only_real || !start || !is_heavy(problem, *start, far)) return std::nullopt;
+  return Claim{.is_real = false};
+}
+
+/// With signs that tell where it is real, or else where there are none, those of where it has a value.
+Needed real_if_possible(const std::function<Needed(bool only_real)>& needed) {
+  Needed real = needed(true);
+  return real ? real : needed(false);
 }
 
 /// A formula of an end of the motion.
@@ -246,21 +179,25 @@ class End {
     ask_parts(place_, signs);
     ask_about(equation_, problem_, signs);
     if (const auto x0 = equation_.start()) ask_between(problem_, Number::ratio(1, 2) * (*x0 + place_), signs);
-    return with_force_at_start(equation_, problem_, by_start_, signs, [&] {
-      tried_ = 0;
-      return signs.separating([&](const FarPlace& far) { return holds_at(far); },
-                              by_start_ ? tries_of_start : tries_anywhere / 2,
-                              by_start_ ? 0 : tries_of_start);
+    ask_values(place_, signs);
+    return real_if_possible([&](bool only_real) {
+      return with_force_at_start(equation_, problem_, by_start_, signs, [&] {
+        tried_ = 0;
+        return signs.separating([&](const FarPlace& far) { return holds_at(far, only_real); },
+                                by_start_ ? tries_of_start : tries_anywhere / 2,
+                                by_start_ ? 0 : tries_of_start);
+      });
     });
   }
 
  private:
   /// It claims nothing where the formula has no value, or the motion begins elsewhere than is said.
-  [[nodiscard]] std::optional<Claim> holds_at(const FarPlace& far) {
-    const Real end = evaluate_exactly(place_, far);
-    if (!end.is_finite() || !said_->is_as_said(far)) return std::nullopt;
+  [[nodiscard]] std::optional<Claim> holds_at(const FarPlace& far, bool only_real) {
+    if (!said_->is_as_said(far)) return std::nullopt;
     const std::optional<double> x0 = start_.at(far);
     if (x0 && !domain().contains(*x0)) return std::nullopt;
+    const Real end = evaluate_exactly(place_, far);
+    if (!end.is_finite()) return not_real(problem_, x0, far, only_real);
     if (!domain().contains(end.value)) return Claim{};
     if (!is_heavy(problem_, x0 ? *x0 : end.value, far)) return std::nullopt;
     const bool is_tried = !x0 || tried_++ < tries_anywhere;  // what it says is the same everywhere
@@ -269,8 +206,17 @@ class End {
     if (is_other_side(*x0, end.value)) return Claim{};
     if (!speed_) speed_.emplace(problem_, far);
     const SquaredSpeed e = speed_->at(far);
+    if (is_passed(e, *x0, end.value)) return std::nullopt;
     const std::optional<Rooms> rooms = room_to_come(e, *x0, end.value);
     return rooms ? Claim{true, {rooms->on_the_way, rooms->in_the_middle}} : Claim{};
+  }
+
+  /// Whether the motion is nearly as fast there as half way: it is another root, or rounding next to a pole,
+  /// and tells nothing.
+  static bool is_passed(const SquaredSpeed& e, double x0, double end) {
+    constexpr double near = 1e-3;
+    if (std::abs(end - x0) <= near * (std::abs(x0) + std::abs(end))) return false;
+    return std::abs(e.at(end)) > near * std::abs(e.at(x0 + (end - x0) / 2));
   }
 
   [[nodiscard]] bool is_other_side(double x0, double end) const {
@@ -331,11 +277,13 @@ std::optional<std::vector<std::string>> signs_of_period(const TurningEquation& e
   ask_parts(period.factor, signs);
   if (period.m) ask_parts(*period.m, signs);
   ask_about(equation, problem, signs);
+  ask_values(period.factor, signs);
+  if (period.m) signs.ask(period.m->graph().number(1) - *period.m);
   const FarStart begin(equation, by_start);
   std::optional<SpeedAt> speed;
-  const auto has_period = [&](const FarPlace& far) -> std::optional<Claim> {
+  const auto has_period = [&](const FarPlace& far, bool only_real) -> std::optional<Claim> {
     const double number = period.value_at(far);
-    if (!std::isfinite(number)) return std::nullopt;
+    if (!std::isfinite(number)) return not_real(problem, begin.at(far), far, only_real);
     if (!speed) speed.emplace(problem, far);
     SquaredSpeed e = speed->at(far);
     e.start = begin.at(far);
@@ -345,9 +293,11 @@ std::optional<std::vector<std::string>> signs_of_period(const TurningEquation& e
     const bool turns = equation.found.motion == MotionKind::rotation;
     return Claim{turns ? may_turn_with(e, number) : may_swing_with(e, number)};
   };
-  Needed needed = with_force_at_start(equation, problem, by_start, signs, [&] {
-    return signs.separating(has_period, by_start ? tries_of_start : tries_anywhere,
-                            by_start ? 0 : tries_of_start);
+  Needed needed = real_if_possible([&](bool only_real) {
+    return with_force_at_start(equation, problem, by_start, signs, [&] {
+      return signs.separating([&](const FarPlace& far) { return has_period(far, only_real); },
+                              by_start ? tries_of_start : tries_anywhere, by_start ? 0 : tries_of_start);
+    });
   });
   return needed ? std::optional(without_impacts(equation, *std::move(needed))) : std::nullopt;
 }

@@ -12,6 +12,12 @@
 
 namespace qdot {
 
+/// The parameters and constants of which nothing is assumed: what a formula assumes of its own symbols is all
+/// that holds at other parameters.
+[[nodiscard]] std::vector<Expression> not_spoken_of(const TurningEquation& equation,
+                                                    const std::vector<std::string>& assumes,
+                                                    const std::vector<Expression>& constants);
+
 /// Of the largest (side 1) or smallest (-1) place x, written by the equation's constants, or by the initial
 /// state where the equation assumes one. `assumes`: what is assumed anyway. None where the formula is not the
 /// turning point at all other parameters at which that holds, and no sign that is known tells where it is.

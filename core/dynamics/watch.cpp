@@ -211,6 +211,26 @@ void add_jumps(const EventFunctions& event, const WatchRequest& request, const s
   }
 }
 
+/// What must not fall below zero for e to have a value: arguments of roots and logarithms.
+std::vector<Expression> arguments_with_an_end(const Expression& e) {
+  std::vector<Expression> found;
+  const NodeId root = e.id();
+  for (const NodeId id : reachable(e.graph(), {&root, 1})) {
+    const Node& node = e.graph().node(id);
+    const auto* call = std::get_if<Call>(&node);
+    const auto* power = std::get_if<Power>(&node);
+    if (call != nullptr && call->function == Function::log) found.emplace_back(e.graph(), call->argument);
+    if (power != nullptr && !power->exponent.is_integer()) found.emplace_back(e.graph(), power->base);
+  }
+  return found;
+}
+
+bool may_be_negative(const Watch& watch, const Dynamics& dynamics) {
+  const std::vector<Interval> anywhere(2 * dynamics.model().scene.coordinates.size(), Interval::whole());
+  return watch.enclosure(Interval::whole(), anywhere).lower < 0;
+}
+
+/// A condition is broken where it ceases to have a value, too.
 void add_validity(const Dynamics& dynamics, const WatchRequest& request, std::vector<Watch>& all) {
   const std::vector<Column> columns = validity_columns(dynamics.model());
   for (std::size_t i = 0; i < columns.size(); ++i) {
@@ -220,8 +240,13 @@ void add_validity(const Dynamics& dynamics, const WatchRequest& request, std::ve
                 .reason = condition.reason,
                 .message = condition.message,
                 .direction = Crossing::falling};
-    watch_function(watch, watched_column(dynamics, request, columns[i]), request.parameters);
-    all.push_back(std::move(watch));
+    std::vector<Column> functions{columns[i]};
+    for (const Expression& u : arguments_with_an_end(columns[i].value))
+      functions.push_back({condition.name, "", u});
+    for (const Column& function : functions) {
+      watch_function(watch, watched_column(dynamics, request, function), request.parameters);
+      if (function.value == columns[i].value || may_be_negative(watch, dynamics)) all.push_back(watch);
+    }
   }
 }
 

@@ -218,6 +218,10 @@ Expression Graph::power(const Expression& base, const Number& exponent) {
       return product(factors);
     }
   }
+  const auto is_even = [](const Number& n) { return (n / Number(2)).is_integer(); };
+  if (const auto* inner = std::get_if<Power>(&base.node());
+      inner != nullptr && is_even(inner->exponent) && is_even(inner->exponent * exponent))
+    return power({*this, inner->base}, inner->exponent * exponent);  // (x^4)^(1/2)
   return intern(Power{base.id(), exponent});
 }
 

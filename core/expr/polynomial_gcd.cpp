@@ -152,6 +152,7 @@ std::optional<Polynomial> repeated_factor(const Polynomial& a) {
     if (!may_repeat(a, x)) continue;
     Polynomial common = divisor_of(a, slope(a, x));
     if (degree(common, x) == 0) continue;
+    common = divided(common, content_in(common, x));  // which may be there but once
     if (const Polynomial more = divisor_of(common, slope(common, x)); degree(more, x) > 0)
       common = divided(common, more);
     if (exact_quotient(a, common * common)) return common;

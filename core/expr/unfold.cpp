@@ -19,6 +19,17 @@ bool divides(const Polynomial& terms) {
   });
 }
 
+/// Of a sum under a root, where one of the variables is in them.
+std::optional<SquareFactors> squares_in(const Expression& base, std::span<const Expression> variables) {
+  try {
+    SquareFactors parts = square_factors(multiplied_out(base));
+    const bool varies = depends_on(to_expression(base.graph(), parts.outside), variables);
+    return varies && !divides(parts.outside) ? std::optional(std::move(parts)) : std::nullopt;
+  } catch (const Error&) {  // too large
+    return std::nullopt;
+  }
+}
+
 bool is_kink(const Node& node) {
   const auto* call = std::get_if<Call>(&node);
   return call != nullptr && (call->function == Function::abs || call->function == Function::sign);
@@ -91,21 +102,10 @@ class Unfolding {
   /// (a u^2)^q is a^q |u|^(2 q), also where the square is written out: it has no value for a < 0.
   [[nodiscard]] std::optional<Expression> size_of_squares(const Power& power) {
     if (const auto sizes = size_of_factors(power)) return sizes;
-    const std::optional<SquareFactors> parts = squares_in({graph_, power.base});
+    const std::optional<SquareFactors> parts = squares_in({graph_, power.base}, variables_);
     if (!parts) return std::nullopt;
     const Expression u = to_expression(graph_, parts->outside), a = to_expression(graph_, parts->inside);
     return pow(smooth(a), power.exponent) * size_of(argument_of(u), Number(2) * power.exponent);
-  }
-
-  [[nodiscard]] std::optional<SquareFactors> squares_in(const Expression& base) const {
-    try {
-      SquareFactors parts = square_factors(multiplied_out(base));
-      if (divides(parts.outside) || !depends_on(to_expression(graph_, parts.outside), variables_))
-        return std::nullopt;
-      return parts;
-    } catch (const Error&) {  // too large
-      return std::nullopt;
-    }
   }
 
   /// As they are written, which keeps digits, where all that varies are even powers.
@@ -132,8 +132,31 @@ class Unfolding {
     return {short_form, loses_digits ? written : short_form};
   }
 
+  /// c rest for a sum of c_v v over the variables with c_v = c by a number, where c is a sum that may be 0:
+  /// then nothing is left of the kink, and its argument says nothing of where it is.
+  struct Factored {
+    Expression factor, rest;
+  };
+  [[nodiscard]] std::optional<Factored> cancelling_factor(const Expression& u) const {
+    std::optional<Expression> factor;
+    Expression rest = graph_.number(0);
+    for (const Expression& variable : variables_) {
+      const Expression slope = simplify(differentiate(u, variable));
+      if (slope.is_zero()) continue;
+      if (!factor) factor = slope;
+      const Expression ratio = simplify(slope / *factor);
+      if (!std::holds_alternative<Sum>(factor->node()) || ratio.number() == nullptr) return std::nullopt;
+      rest = rest + ratio * variable;
+    }
+    const bool varies = !factor || depends_on(*factor, variables_) || depends_on(*factor, graph_.symbol("t"));
+    if (varies || !simplify(u - *factor * rest).is_zero()) return std::nullopt;
+    return Factored{*factor, rest};
+  }
+
   /// The same for every multiple of one argument, but for the sign of the factor.
   Expression side_of(const Argument& argument) {
+    if (const auto factored = cancelling_factor(argument.short_form))
+      return sign_of(factored->factor) * side_of({factored->rest, factored->rest});
     const Scaled scaled = split_coefficient(argument.short_form);
     const bool opposite = scaled.coefficient < Number(0);
     for (std::size_t k = 0; k < result_.sides.size(); ++k) {
@@ -245,6 +268,24 @@ class Unfolding {
 };
 
 }  // namespace
+
+Expression with_squares_under_roots(const Expression& e, std::span<const Expression> variables) {
+  Graph& graph = e.graph();
+  std::vector<Replacement> found;
+  const NodeId root[]{e.id()};
+  for (const NodeId id : reachable(graph, root)) {
+    const auto* node = std::get_if<Power>(&graph.node(id));
+    if (node == nullptr || node->exponent.is_integer()) continue;
+    const Power power = *node;
+    if (!std::holds_alternative<Sum>(graph.node(power.base))) continue;
+    const std::optional<SquareFactors> parts = squares_in({graph, power.base}, variables);
+    if (!parts) continue;
+    const Expression u = to_expression(graph, parts->outside), a = to_expression(graph, parts->inside);
+    found.emplace_back(Expression(graph, id),
+                       pow(a, power.exponent) * pow(pow(u, Number(2)), power.exponent));
+  }
+  return found.empty() ? e : substitute(e, found);
+}
 
 Unfolded unfolded(std::span<const Expression> expressions, std::span<const Expression> variables) {
   if (expressions.empty()) return {};

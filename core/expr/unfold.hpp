@@ -23,4 +23,7 @@ struct Unfolded {
 [[nodiscard]] Unfolded unfolded(std::span<const Expression> expressions,
                                 std::span<const Expression> variables);
 
+/// ((x - 1)^2)^(1/2) for (x^2 - 2 x + 1)^(1/2): enclosed, it has a value at its kink, too.
+[[nodiscard]] Expression with_squares_under_roots(const Expression& e, std::span<const Expression> variables);
+
 }  // namespace qdot

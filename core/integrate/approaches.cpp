@@ -243,7 +243,7 @@ bool ApproachSearch::takes_own_value(Approach& approach, double beside, bool is_
   const EventFunction& event = request_.events[approach.event];
   const auto value_at = [&](double s) { return event.value(approach.t + s, approach.state_at(s)); };
   const double value = value_at(0);
-  if (!std::isfinite(value)) return event.terminal;
+  if (!std::isfinite(value)) return event.terminal && !event.must_have_value;  // then the run ends before
   approach.distance = std::abs(value);
   if (event.terminal) return true;
   const double before = value_at(-beside), after = is_end ? value : value_at(beside);

@@ -20,6 +20,7 @@ constexpr int most_lost_steps = 16;  ///< one after the other, in which shorter 
 constexpr double at_begin = 0.25;    ///< of what acts all through a step
 constexpr double much_growth = 2, most_late = 0.75, log_of_2 = 0.7;
 constexpr double enlarged = 0x1p-30;
+constexpr double most_of_enlarging = 0x1p900;  ///< of what is less than a normal double, too
 constexpr double most_of_all = 1e300;  ///< instead of an error without a bound
 
 /// y - e, and not y itself, where nothing would be rounded otherwise.
@@ -304,7 +305,7 @@ void Separation::stay_lost() {
 /// With components of `least` size.
 double Separation::enlarging(double least) const {
   const double part = part_of_size(least);
-  return part > 0 && std::isfinite(part) ? std::max(1.0, enlarged / part) : 1;
+  return part > 0 && std::isfinite(part) ? std::clamp(enlarged / part, 1.0, most_of_enlarging) : 1;
 }
 
 /// The largest part that e is of what components have reached.

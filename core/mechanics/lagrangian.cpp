@@ -6,6 +6,7 @@
 #include "core/expr/kept_terms.hpp"
 #include "core/expr/polynomial.hpp"
 #include "core/expr/simplify.hpp"
+#include "core/expr/unfold.hpp"
 #include "core/mechanics/units.hpp"
 
 namespace qdot {
@@ -128,7 +129,9 @@ Lagrangian derive_lagrangian(const ParsedScene& scene) {
   result.constraints = constraint_equations(scene, result.holding);
   if (scene.lagrangian) {
     result.varied = *scene.lagrangian;
-    result.lagrangian = shortened_by_degree(substitute(result.varied, result.holding), scene.symbols);
+    const Expression written =
+        with_squares_under_roots(substitute(result.varied, result.holding), scene.symbols.coordinates.value);
+    result.lagrangian = shortened_by_degree(written, scene.symbols);
   } else {
     const Energies energies(scene);
     const Expression kinetic = energies.kinetic();
@@ -136,7 +139,9 @@ Lagrangian derive_lagrangian(const ParsedScene& scene) {
     result.varied = kinetic - scene.graph->sum(potentials);
     result.kinetic_energy = simplify_by_degree(substitute(kinetic, result.holding), scene.symbols);
     std::vector<Expression> terms;
-    for (const Expression& term : potentials) terms.push_back(shortened(substitute(term, result.holding)));
+    for (const Expression& term : potentials)
+      terms.push_back(shortened(
+          with_squares_under_roots(substitute(term, result.holding), scene.symbols.coordinates.value)));
     result.potential_energy = scene.graph->sum(terms);
     result.lagrangian = *result.kinetic_energy - *result.potential_energy;
   }

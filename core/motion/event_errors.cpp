@@ -49,17 +49,29 @@ std::optional<EventError> EventErrors::of(const EventRecord& event, std::span<co
 
 std::optional<EventError> EventErrors::of(const Stop& stop, std::span<const double> y,
                                           std::span<const double> errors, double at_least) {
-  const Watch* ended = nullptr;
-  const auto distance = [&](const Watch& watch) { return std::abs(watch.value(stop.t, y)); };
+  std::vector<const Watch*> fitting;
   for (const Watch& watch : watches_) {
-    const bool fits = watch.reason == stop.reason && watch.message == stop.message;
-    if (fits && stop.t == t_start_ && sign_of(watch, stop.t, y, errors) != 0)
+    if (watch.reason != stop.reason || watch.message != stop.message) continue;
+    if (stop.t == t_start_ && sign_of(watch, stop.t, y, errors) != 0)
       return EventError{at_least, {errors.begin(), errors.end()}};
-    if (fits && (ended == nullptr || distance(watch) < distance(*ended))) ended = &watch;
+    fitting.push_back(&watch);
   }
-  if (ended == nullptr) return std::nullopt;
-  auto error = of(*ended, stop.t, y, errors, scale_, at_least);
+  std::optional<EventError> error;
+  for (const Watch* ended : in_order_of_zeros(std::move(fitting), stop.t, y)) {
+    error = of(*ended, stop.t, y, errors, scale_, at_least);
+    if (error) break;
+  }
   return error && !may_turn_before(stop.t, y, error->state) ? error : std::nullopt;
+}
+
+/// Those first that are zero there but for rounding.
+std::vector<const Watch*> EventErrors::in_order_of_zeros(std::vector<const Watch*> all, double t,
+                                                         std::span<const double> y) {
+  const auto is_zero = [&](const Watch* watch) {
+    return std::abs(watch->value(t, y)) <= watch->rounding(t, y);
+  };
+  std::stable_partition(all.begin(), all.end(), is_zero);
+  return all;
 }
 
 /// Whether a wall is as near as the errors: it may turn the motion before what stops it.

@@ -73,6 +73,8 @@ class EventErrors {
     double slope{};  ///< of g along the motion
   };
   [[nodiscard]] Linear linear(const Watch& watch, const Place& place) const;
+  [[nodiscard]] static std::vector<const Watch*> in_order_of_zeros(std::vector<const Watch*> all, double t,
+                                                                   std::span<const double> y);
   [[nodiscard]] bool may_turn_before(double t, std::span<const double> y,
                                      std::span<const double> errors) const;
   [[nodiscard]] bool cancels(const Watch& watch, const Place& place, double doubt) const;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <span>
 #include <string>
 #include <vector>
@@ -19,6 +20,8 @@ std::vector<double> kick(const std::vector<double>& y, const std::vector<double>
   for (std::size_t i = y.size() / 2; i < y.size(); ++i) change.push_back(after[i] - y[i]);
   return change;
 }
+
+constexpr double rounding_of_kick = 64 * std::numeric_limits<double>::epsilon();
 
 double product(const std::vector<double>& a, const std::vector<double>& b) {
   double sum = 0;
@@ -43,6 +46,12 @@ class Bounce {
         workspace_(components_->bind(motion.request.parameters)) {}
 
   [[nodiscard]] const Watch& watch() const { return watch_; }
+
+  /// Whether another one at (t, y) would change nothing of what it has changed before, but for rounding.
+  [[nodiscard]] bool leaves_nothing(double t, const std::vector<double>& y, const SectionRecord& before) {
+    const std::vector<double> now = kick(y, map(t, y)), first = kick(before.before, before.after);
+    return std::sqrt(product(now, now)) <= rounding_of_kick * std::sqrt(product(first, first));
+  }
 
   /// What it changes, if the motion goes on towards it: it turns what it takes back, and so it did before.
   [[nodiscard]] std::vector<double> change(double t, const std::vector<double>& y,
@@ -129,6 +138,27 @@ std::vector<EventDoubt> near_zero_at_end(const ComputedMotion& motion, std::span
   return doubts;
 }
 
+/// Whether that impact was met last, and bodies go on together: another one would change nothing.
+bool stay_together(const ComputedMotion& motion, std::size_t number, const Watch& watch) {
+  const Simulation& simulation = motion.simulation;
+  if (simulation.sections.empty()) return false;
+  const SectionRecord& last = simulation.sections.back();
+  if (std::ranges::find(last.impacts, number) == last.impacts.end()) return false;
+  Bounce bounce(motion, motion.dynamics.model().parsed.impacts[number], watch);
+  return is_hidden_since(watch, last, simulation.t, simulation.y) &&
+         bounce.leaves_nothing(simulation.t, simulation.y, last);
+}
+
+/// Impacts, where they do not.
+std::vector<Watch> watches_that_may_follow(const ComputedMotion& motion) {
+  const std::vector<Watch> all = watches_of_impacts(motion);
+  std::vector<Watch> found;
+  for (std::size_t number = 0; number < all.size(); ++number) {
+    if (!stay_together(motion, number, all[number])) found.push_back(all[number]);
+  }
+  return found;
+}
+
 }  // namespace
 
 void add_hidden_impacts(const ComputedMotion& motion, Simulation& check) {
@@ -149,6 +179,7 @@ std::vector<EventDoubt> impacts_hidden_at_end(const ComputedMotion& motion) {
   std::vector<EventDoubt> doubts;
   for (const std::size_t number : last.impacts) {
     if (!is_hidden_since(all[number], last, simulation.t, simulation.y)) continue;
+    if (stay_together(motion, number, all[number])) continue;
     const std::string& name = motion.dynamics.model().parsed.impacts[number].event;
     doubts.push_back({name, "From the last '" + name +
                                 "' to the end the distance is no larger than its rounding: "
@@ -162,7 +193,7 @@ std::vector<EventDoubt> impacts_at_end(const ComputedMotion& motion, std::span<c
   const bool has_just_passed = !simulation.sections.empty() && simulation.sections.back().t == simulation.t;
   const bool is_wanted = motion.request.impacts == Impacts::apply && !errors.empty();
   if (!is_wanted || simulation.stop || has_just_passed) return {};
-  return near_zero_at_end(motion, errors, watches_of_impacts(motion));
+  return near_zero_at_end(motion, errors, watches_that_may_follow(motion));
 }
 
 std::vector<EventDoubt> events_at_end(const ComputedMotion& motion, std::span<const double> errors) {
@@ -179,8 +210,13 @@ std::vector<EventDoubt> events_at_end(const ComputedMotion& motion, std::span<co
       return event.name == name && event.t == simulation.t;
     });
   };
+  const std::vector<Watch> all = watches_of_impacts(motion), may_follow = watches_that_may_follow(motion);
+  const auto is_one_of = [](const std::vector<Watch>& some, const std::string& name) {
+    return std::ranges::find(some, name, &Watch::name) != some.end();
+  };
   std::erase_if(reported, [&](const Watch& watch) {
-    return watch.kind != Watch::Kind::event || is_met_there(watch.name);
+    const bool stays = is_one_of(all, watch.name) && !is_one_of(may_follow, watch.name);
+    return watch.kind != Watch::Kind::event || is_met_there(watch.name) || stays;
   });
   return near_zero_at_end(motion, errors, reported);
 }

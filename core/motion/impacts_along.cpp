@@ -82,10 +82,12 @@ double ImpactsAlong::unseen_flights(std::size_t impact, const SectionRecord& see
 bool ImpactsAlong::is_pressed_on(std::size_t impact, const SectionRecord& last,
                                  const EventSides& sides) const {
   const Watch& watch = watches()[impact];
-  if (watch.direction == Crossing::either || !impacts_->leaves_no_rate(impact, last.t, last.after))
-    return false;
-  return sides.is_sharp(watch, last) &&
-         pressing(watch, last, sections_, request_.t_end - request_.t_start) > 0;
+  const double span = request_.t_end - request_.t_start;
+  const bool leaves_no_rate = impacts_->restitution(impact)
+                                  ? impacts_->leaves_no_rate(impact, last.t, last.after)
+                                  : UnseenFlights(sections_, sides, span).by_map(watch, last).rate == 0;
+  if (watch.direction == Crossing::either || !leaves_no_rate) return false;
+  return sides.is_sharp(watch, last) && pressing(watch, last, sections_, span) > 0;
 }
 
 /// Whether the last impact after a flight took all speed from the distance, as far as rounding lets that be

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "core/base/error.hpp"
+#include "core/integrate/events.hpp"
 #include "core/motion/accuracy_reasons.hpp"
 #include "core/motion/fork.hpp"
 #include "core/motion/simulation.hpp"
@@ -16,7 +17,7 @@
 namespace qdot {
 namespace {
 
-constexpr std::size_t most_ways = 4;
+constexpr std::size_t most_ways = 16;
 constexpr Tolerances of_checks{1e-12, 1e-15};
 constexpr double much_larger = 10;  ///< errors than without
 constexpr double widened = 2;  ///< times how early another way begins before a place: so long after it, too
@@ -127,6 +128,16 @@ bool goes_otherwise(const Simulation& other, const Simulation& motion, const App
   return met(other) != met(motion);
 }
 
+/// The condition that ends the motion, in the same instant: near the end of its domain it may have any value.
+bool is_where_it_ends(const ComputedMotion& motion, const ApproachRecord& approach) {
+  const std::optional<Stop>& stop = motion.simulation.stop;
+  if (!stop || std::abs(approach.place.t - stop->t) > one_instant * time_round_off(stop->t)) return false;
+  return std::ranges::any_of(motion.dynamics.model().scene.valid_while,
+                             [&](const ValidityCondition& condition) {
+                               return condition.name == approach.name && condition.reason == stop->reason;
+                             });
+}
+
 /// Once more with the impacts of each instant in the opposite order.
 void add_other_order(const ComputedMotion& motion, std::span<const Simulation> others,
                      std::uint64_t& evaluations_left, OtherWays& result) {
@@ -184,7 +195,7 @@ OtherWays other_ways(const ComputedMotion& motion, std::span<const Simulation> o
   for (const ApproachAsTold& approach : approaches) {
     const Approach& place = approach.approach.place;
     const double t = place.others ? place.others->from : place.instant();
-    if (t > result.lost_from) continue;
+    if (t > result.lost_from || is_where_it_ends(motion, approach.approach)) continue;
     const Fork fork(motion, approach);
     if (!fork.is_open() || (!place.others && fork.is_negligible())) continue;
     if (result.where.empty()) {

@@ -45,6 +45,9 @@ double not_zero(double rounded) {
   return rounded == 0 ? std::copysign(std::numeric_limits<double>::denorm_min(), rounded) : rounded;
 }
 
+/// What may have no value: 0 times it has none either.
+bool is_whole(const Interval& a) { return a.lower == -infinity && a.upper == infinity; }
+
 /// 0 times infinity is 0: an unbounded interval has only finite members.
 double product(double a, double b) { return a == 0 || b == 0 ? 0 : not_zero(a * b); }
 double quotient(double a, double b) { return a == 0 ? 0 : not_zero(a / b); }
@@ -147,6 +150,7 @@ Interval operator*(const Interval& a, const Interval& b) {
   const double least = std::min(std::min(p, q), std::min(r, s));
   const double most = std::max(std::max(p, q), std::max(r, s));
   if (std::isfinite((p + q) + (r + s)) && least != 0 && most != 0) return {below(least), above(most)};
+  if (is_whole(a) || is_whole(b)) return Interval::whole();
   return range_of({product(a.lower, b.lower), product(a.lower, b.upper), product(a.upper, b.lower),
                    product(a.upper, b.upper)});
 }

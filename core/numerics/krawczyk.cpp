@@ -45,8 +45,11 @@ Box krawczyk(const SquareSystem& system, const Box& box) {
     result[i] = c[i];
     for (std::size_t j = 0; j < n; ++j) result[i] = result[i] - entry(i, j) * f[j];
     for (std::size_t j = 0; j < n; ++j) {
+      if (box[j].width() == 0) continue;
       Interval slope(i == j ? 1.0 : 0.0);
-      for (std::size_t k = 0; k < n; ++k) slope = slope - entry(i, k) * jacobian[k * n + j];
+      for (std::size_t k = 0; k < n; ++k) {  // what has no bound may stand beside 0
+        if (const Interval y_ik = entry(i, k); !is_zero(y_ik)) slope = slope - y_ik * jacobian[k * n + j];
+      }
       result[i] = result[i] + slope * (box[j] - c[j]);
     }
   }

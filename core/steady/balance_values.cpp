@@ -5,9 +5,8 @@
 #include <map>
 
 #include "core/compile/tape_evaluator.hpp"
-#include "core/numerics/root_isolation.hpp"
 #include "core/steady/quadratic_roots.hpp"
-#include "core/steady/search_region.hpp"
+#include "core/steady/search_along_unknown.hpp"
 #include "core/steady/values_along_unknown.hpp"
 
 namespace qdot {
@@ -106,44 +105,6 @@ struct Nearby {
   return candidates;
 }
 
-/// Of force k along u: enclosed over [-L, L] and u's domain, or over a turn.
-[[nodiscard]] Isolation zeros_along(const BalanceProblem& problem, std::size_t k) {
-  const SteadyPolynomial& polynomial = *problem.polynomial;
-  TapeEvaluator<Interval> values(polynomial.values, problem.constants);
-  TapeEvaluator<Interval> derivatives(polynomial.derivatives, problem.constants);
-  std::vector<Interval> place = problem.x;
-  place.emplace_back();
-  std::vector<Interval> out(polynomial.forces.size());
-  const auto along = [&](TapeEvaluator<Interval>& function) {
-    return [&](std::span<const Interval> u, std::span<Interval> value) {
-      place.back() = u[0];
-      function(place, out);
-      value[0] = out[k];
-    };
-  };
-  const Interval turn{-3.2, 3.2};  // a turn and a little more
-  const Domain& domain = problem.domain;
-  Interval region{std::max(domain.lower, -largest_length), std::min(domain.upper, largest_length)};
-  if (polynomial.u_turns) region = intersection(turn, region);
-  for (const Interval& part : where_defined(problem, k)) region = intersection(region, part);
-  if (is_empty(region)) return {};
-  return isolate_zeros({1, along(values), along(derivatives)}, {region});
-}
-
-/// A force that is no such polynomial: all its zeros along u.
-[[nodiscard]] Candidates searched(const BalanceProblem& problem, std::size_t k) {
-  const Isolation isolation = zeros_along(problem, k);
-  if (!isolation.complete || !isolation.undecided.empty()) return {Obstacle::not_decided, {}, "", 0};
-  Candidates found;
-  for (const IsolatedZero& zero : isolation.zeros) {
-    const Interval u = problem.polynomial->u_turns ? reduced_angle(zero.enclosure[0]) : zero.enclosure[0];
-    const auto is_same = [&](const BalancingValue& other) { return !is_empty(intersection(other.u, u)); };
-    if (std::ranges::none_of(found.values, is_same)) found.values.push_back({u, zero.simple});
-  }
-  if (found.values.empty()) found.obstacle = Obstacle::none_in_domain;
-  return found;
-}
-
 /// Whether the functions have values at u, or just beside it, as a root has at the end of its domain.
 [[nodiscard]] bool have_values(const BalanceProblem& problem, const CompiledFunction& functions,
                                const Interval& u) {
@@ -227,7 +188,7 @@ struct Told {
     const bool is_told = best.found.obstacle == Obstacle::none;
     if (is_told && !forces[k].degree) break;
     const auto [c, near] = coefficients.of_force(k);
-    Candidates now = forces[k].degree ? roots(c, near) : searched(problem, k);
+    Candidates now = forces[k].degree ? roots(c, near) : search_along_unknown(problem, k);
     if (now.obstacle == Obstacle::not_decided) continue;
     if (now.obstacle != Obstacle::none) return {std::move(now), k};
     if (!is_told || widest(now.values) < widest(best.found.values)) best = {std::move(now), k};

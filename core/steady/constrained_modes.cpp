@@ -1,6 +1,7 @@
 #include "core/steady/constrained_modes.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include "core/base/error.hpp"
 #include "core/dynamics/consistent_state.hpp"
@@ -28,8 +29,7 @@ class SurfaceAnalysis {
       : whole_(whole), n_(whole.coordinates), m_(whole.constraints), constants_(constants), y_(y) {}
 
   SurfaceModes near(const std::vector<double>& guess) {
-    place_ =
-        find_equilibrium(*whole_.dynamics, *whole_.statics, constants_, guess, EquilibriumSearch::nearest);
+    place_ = equilibrium_near(*whole_.dynamics, *whole_.statics, constants_, guess);
     return about_place(solved_slopes(slopes(), n_));
   }
 
@@ -217,7 +217,14 @@ std::optional<Modes> modes_downhill(const SurfaceStatics& whole, const std::vect
   const auto low = lowest_downhill(whole, numbers, start);
   if (!low) return std::nullopt;
   try {
-    return SurfaceAnalysis(whole, constants, y).near(*low).modes;
+    Modes found = SurfaceAnalysis(whole, constants, y).near(*low).modes;
+    for (std::size_t k = 0; k < whole.coordinates; ++k) {
+      const double there = found.y[whole.statics->reduction.kept[k]];
+      const double size = std::max({1.0, std::abs(start[k]), std::abs((*low)[k])});
+      if (!(std::abs(there - (*low)[k]) < 1e-3 * size)) return std::nullopt;
+    }
+    found.arrival = Arrival::downhill;
+    return found;
   } catch (const Error& error) {
     if (error.code() != ErrorCode::not_applicable) throw;
     return std::nullopt;
@@ -249,7 +256,9 @@ Modes constrained_modes(const Dynamics& dynamics, const Reals& parameters, const
     auto found = modes_downhill(whole, constants, y, start);
     if (found && is_valid(dynamics, parameters, found->y)) return *std::move(found);
   }
-  return SurfaceAnalysis(whole, constants, y).near(start).modes;
+  Modes found = SurfaceAnalysis(whole, constants, y).near(start).modes;
+  if (!guess) found.arrival = Arrival::newton;
+  return found;
 }
 
 }  // namespace qdot

@@ -10,6 +10,8 @@
 #include "core/numerics/constants.hpp"
 #include "core/numerics/dense_matrix.hpp"
 #include "core/steady/equilibrium_family.hpp"
+#include "core/steady/gradient_flow.hpp"
+#include "core/steady/next_balance.hpp"
 #include "core/steady/steady_state.hpp"
 
 namespace qdot {
@@ -25,6 +27,10 @@ constexpr double least_damping = 1e-4;
 constexpr double settled = 1e-15;
 /// Where the last step is that short, an iteration that no longer improves has arrived.
 constexpr double arrived = 1e-6;
+/// Newton's iteration from where a way down has ended goes no farther.
+constexpr double near_by = 1e-3;
+/// Of the forces' derivative: what is below it is rounding.
+constexpr double symmetric = 1e-12;
 /// Of K's largest stiffness: what is below it counts as none, and steps do not lead along it. The first
 /// counts what rounding leaves. Beside a family of equilibria, as of a molecule that is free to turn, K along
 /// the family is as small as the way to it, and Newton's steps along it are anything.
@@ -72,11 +78,18 @@ class NewtonSearch {
     throw none();
   }
 
-  /// A stable one down from the guess, if one is there where the model holds.
-  std::optional<Equilibrium> stable() {
-    const std::optional<VectorXd> low = descended();
+  /// Down from the guess, if one is there where the model holds.
+  std::optional<FoundEquilibrium> downhill(const SmoothForces& smooth) {
+    const auto only = only_unknown();
+    if (only) {
+      if (auto next = next_along(*only, smooth)) return FoundEquilibrium{*std::move(next), Arrival::downhill};
+    }
+    const std::optional<VectorXd> low = is_at_rest(guess_) ? guess_ : descended();
     if (!low) return std::nullopt;
-    return from(*low, [&](const VectorXd& x) { return within(x, pi) && valid(x); });
+    const bool is_seen_only = only && *low != guess_;
+    auto found = from(*low, [&](const VectorXd& x) { return length(x - *low) < near_by && valid(x); });
+    if (!found) return std::nullopt;
+    return FoundEquilibrium{*std::move(found), is_seen_only ? Arrival::seen_downhill : Arrival::downhill};
   }
 
  private:
@@ -170,57 +183,73 @@ class NewtonSearch {
     return std::nullopt;
   }
 
-  /// Newton's iteration with |K|, whose steps go down the effective potential: dU = g.dx.
+  /// The flow down the effective potential, by the inertia.
   std::optional<VectorXd> descended() {
-    VectorXd x = guess_;
-    if (is_at_rest(x)) return x;
-    for (int i = 0; i < most_steps; ++i) {
-      const auto step = downhill(x);
-      if (!step) return std::nullopt;
-      if (length(*step) < arrived * arrived) return x;
-      double t = 1;
-      while (!(work(x, t * *step) < 0)) {
-        if ((t /= 2) < least_damping) return length(*step) < arrived ? std::optional(x) : std::nullopt;
-      }
-      x += t * *step;
-    }
-    return std::nullopt;
+    const Hillside hillside{
+        [this](const VectorXd& x) { return slope(x); },
+        [this](const VectorXd& x, const Slope& at, const VectorXd& s) { return moved(x, at, s); },
+        Eigen::Map<const VectorXd>(sizes_.data(), index(sizes_.size()))};
+    return end_of_flow(hillside, guess_);
   }
 
-  /// -|K|^-1 g, at most half a unit long; along M's eigenvectors, so that no unit is preferred.
-  std::optional<VectorXd> downhill(const VectorXd& x) {
+  /// Coordinates that no force depends on stay, whatever they share inertia with.
+  std::optional<MatrixXd> inertia(const VectorXd& x) {
+    auto m = values(statics_.inertia, inertia_, x);
+    if (!m) return std::nullopt;
+    for (std::size_t i = 0; i < free_.size(); ++i) {
+      for (std::size_t j = 0; j < free_.size(); ++j)
+        if (i != j && (free_[i] || free_[j])) (*m)(index(i), index(j)) = 0;
+    }
+    return m;
+  }
+
+  std::optional<Slope> slope(const VectorXd& x) {
     const auto g = forces(x);
     const auto k = stiffness(x);
-    auto m = values(statics_.inertia, inertia_, x);
+    const auto m = inertia(x);
     if (!g || !k || !m || !g->allFinite() || !k->allFinite()) return std::nullopt;
-    for (Eigen::Index i = 0; i < x.size(); ++i) {
-      for (Eigen::Index j = 0; j < x.size(); ++j) {
-        const bool stays = free_[static_cast<std::size_t>(i)] || free_[static_cast<std::size_t>(j)];
-        if (i != j && stays) (*m)(i, j) = 0;
-      }
-    }
-    const auto axes = principal_axes((*k + k->transpose()) / 2, *m);
+    const MatrixXd curvature = (*k + k->transpose()) / 2;
+    const auto axes = principal_axes(curvature, *m);
     if (!axes) return std::nullopt;
-    VectorXd step = VectorXd::Zero(x.size());
-    for (Eigen::Index i = 0; i < x.size(); ++i) {
-      const VectorXd v = axes->vectors.col(i);
-      const double force = v.dot(*g);
-      const double rate = std::abs(axes->values[i]);
-      VectorXd part = -force / std::max(rate, std::abs(force) * 1e-8) * v;
-      if (force == 0) part.setZero();
-      if (const double size = length(part); size > 0.5) part *= 0.5 / size;
-      step += part;
-    }
-    return step;
+    const bool is_gradient = (*k - k->transpose()).norm() <= symmetric * k->norm();
+    return Slope{axes->values, axes->vectors.transpose() * *g, axes->vectors, is_gradient};
   }
 
-  /// Simpson's rule for the integral of g along a step.
-  double work(const VectorXd& x, const VectorXd& step) {
-    const auto start = forces(x);
-    const auto middle = forces(x + step / 2);
-    const auto end = forces(x + step);
-    if (!start || !middle || !end) return std::nan("");
-    return step.dot(*start + 4 * *middle + *end) / 6;
+  std::optional<Moved> moved(const VectorXd& x, const Slope& at, const VectorXd& s) {
+    const VectorXd there = x + at.axes * s;
+    if (!in_domain(there)) return std::nullopt;
+    const auto g = forces(there);
+    const auto m = inertia(there);
+    if (!g || !m) return std::nullopt;
+    return Moved{there, solve(at.axes.transpose() * *m * at.axes, at.axes.transpose() * *g)};
+  }
+
+  /// The only coordinate along which anything acts, or that a force depends on; no value where there are
+  /// others.
+  [[nodiscard]] std::optional<std::size_t> only_unknown() const {
+    std::optional<std::size_t> only;
+    for (std::size_t i = 0; i < free_.size(); ++i) {
+      if (free_[i] && statics_.rest[i].is_zero()) continue;
+      if (only) return std::nullopt;
+      only = i;
+    }
+    return only;
+  }
+
+  /// Proven to be the first along the only coordinate.
+  std::optional<Equilibrium> next_along(std::size_t unknown, const SmoothForces& smooth) {
+    std::vector<Interval> constants;
+    for (const Ball& c : enclosed_constants_) constants.push_back(c.interval());
+    ForceAlongLine line(statics_, smooth, constants, {guess_.begin(), guess_.end()}, unknown);
+    const Eigen::Index i = index(unknown);
+    const auto around = next_balance(line, guess_[i], sizes_[unknown]);
+    if (!around) return std::nullopt;
+    VectorXd start = guess_;
+    start[i] = around->middle();
+    const auto g = forces(start);
+    const auto inverse = inverse_stiffness(start);
+    if (g && inverse) start -= *inverse * *g;  // from where rounding hides it to the double next to it
+    return from(start, [&](const VectorXd& x) { return around->contains(x[i]) && valid(x); });
   }
 
   [[nodiscard]] bool within(const VectorXd& x, double turn) const {
@@ -317,14 +346,17 @@ class NewtonSearch {
 
 }  // namespace
 
-Equilibrium find_equilibrium(const Dynamics& dynamics, const Statics& statics,
-                             std::span<const Ball> constants, std::span<const double> guess,
-                             EquilibriumSearch search) {
-  NewtonSearch search_from(dynamics, statics, constants, guess);
-  if (search == EquilibriumSearch::stable) {
-    if (const auto found = search_from.stable()) return *found;
-  }
-  return search_from.nearest();
+Equilibrium equilibrium_near(const Dynamics& dynamics, const Statics& statics,
+                             std::span<const Ball> constants, std::span<const double> guess) {
+  return NewtonSearch(dynamics, statics, constants, guess).nearest();
+}
+
+FoundEquilibrium equilibrium_downhill(const Dynamics& dynamics, const Statics& statics,
+                                      const SmoothForces& smooth, std::span<const Ball> constants,
+                                      std::span<const double> guess) {
+  NewtonSearch search(dynamics, statics, constants, guess);
+  if (auto found = search.downhill(smooth)) return *std::move(found);
+  return {search.nearest(), Arrival::newton};
 }
 
 }  // namespace qdot

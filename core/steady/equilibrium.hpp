@@ -10,18 +10,33 @@
 
 #include "core/dynamics/dynamics.hpp"
 #include "core/steady/equilibrium_enclosure.hpp"
+#include "core/steady/kinks.hpp"
 
 namespace qdot {
 
-enum class EquilibriumSearch {
-  nearest,  ///< Newton's iteration from the guess, whatever the stability there
-  stable    ///< down the effective potential from the guess; `nearest` where that leads to none that is valid
+/// How the place was found.
+enum class Arrival {
+  newton,         ///< by Newton's iteration from the guess, whatever the stability there
+  downhill,       ///< where a motion with strong damping from the guess comes to rest
+  seen_downhill,  ///< the same with one coordinate, but that it is the first such place is not proven
 };
 
-/// `constants` are the reduction's: the parameters, then the momenta. Throws Error(not_applicable) with a
-/// sentence where there is none near the guess.
-[[nodiscard]] Equilibrium find_equilibrium(const Dynamics& dynamics, const Statics& statics,
-                                           std::span<const Ball> constants, std::span<const double> guess,
-                                           EquilibriumSearch search);
+struct FoundEquilibrium {
+  Equilibrium place;
+  Arrival arrival{};
+};
+
+/// By Newton's iteration. `constants` are the reduction's: the parameters, then the momenta. Throws
+/// Error(not_applicable) with a sentence where there is none near the guess.
+[[nodiscard]] Equilibrium equilibrium_near(const Dynamics& dynamics, const Statics& statics,
+                                           std::span<const Ball> constants, std::span<const double> guess);
+
+/// Down the effective potential from the guess; as above where that leads to none that is valid. With one
+/// coordinate the first place where its force vanishes (next_balance.hpp), with several the end of the flow
+/// (gradient_flow.hpp). A guess that is at rest is the equilibrium, also where it is unstable.
+[[nodiscard]] FoundEquilibrium equilibrium_downhill(const Dynamics& dynamics, const Statics& statics,
+                                                    const SmoothForces& smooth,
+                                                    std::span<const Ball> constants,
+                                                    std::span<const double> guess);
 
 }  // namespace qdot

@@ -44,7 +44,7 @@ class Analysis {
   Modes at(const std::optional<std::vector<double>>& given) {
     std::vector<double> guess;
     for (const std::size_t k : statics_->reduction.kept) guess.push_back(given ? (*given)[k] : y_[k]);
-    place_ = found_from(guess, given ? EquilibriumSearch::nearest : EquilibriumSearch::stable);
+    place_ = found_from(guess, given.has_value());
     refuse_kink();
     for (std::size_t c : statics_->reduction.ignored) y_[c] = given ? (*given)[c] : y_[c];
     const std::size_t n = statics_->reduction.degrees_of_freedom();
@@ -66,14 +66,17 @@ class Analysis {
 
  private:
   /// Newton's iteration does not end at a kink or a cone; where there are some, that may be why.
-  [[nodiscard]] Equilibrium found_from(const std::vector<double>& guess, EquilibriumSearch search) const {
+  [[nodiscard]] Equilibrium found_from(const std::vector<double>& guess, bool is_given) {
     try {
-      return find_equilibrium(dynamics_, *statics_, constants_, guess, search);
+      if (is_given) return equilibrium_near(dynamics_, *statics_, constants_, guess);
+      auto found = equilibrium_downhill(dynamics_, *statics_, *smooth_, constants_, guess);
+      result_.arrival = found.arrival;
+      return std::move(found.place);
     } catch (const Error& error) {
       if (error.code() != ErrorCode::not_applicable) throw;
       const SteadyProblem problem = steady_problem(dynamics_, parameters_, start_);
       refuse_cones(problem, guess);
-      if (problem.forces->smooth.kinks() == 0) throw;
+      if (problem.forces->smooth.kinks() == 0 && dynamics_.kinks() == nullptr) throw;
       throw Error(error.code(), std::string(error.what()) +
                                     " An abs() or a sign() in the forces has kinks; an equilibrium at one "
                                     "has no modes, and 'equilibria' lists it.");

@@ -32,7 +32,8 @@ struct Modes {
   /// Where symmetries make a family of equilibria: coordinates that tell its members apart. They are kept,
   /// and the errors are those of the others beside them.
   std::vector<std::size_t> held;
-  std::vector<Real> momenta;  ///< of the ignorable coordinates, which the small motions keep
+  std::optional<Arrival> arrival;  ///< without a guess
+  std::vector<Real> momenta;       ///< of the ignorable coordinates, which the small motions keep
   Stability stability{};
   std::string undecided;  ///< why it is neutral, or what is left undamped, a sentence
   std::vector<double> mass, stiffness;
@@ -41,8 +42,8 @@ struct Modes {
 };
 
 /// `initial` (q, q') gives ignorable coordinates their momenta and all coordinates a guess; `guess` (q),
-/// where given, is the equilibrium meant or near it. Without, the stable one that lies down the
-/// effective potential from `initial`, and where there is none what Newton's iteration finds from there.
+/// where given, is the equilibrium meant or near it. Without, the one that lies downhill of
+/// `initial` (equilibrium_downhill).
 /// Throws Error(not_applicable) where the time enters the equations or no equilibrium is near.
 [[nodiscard]] Modes normal_modes(const Dynamics& dynamics, const Reals& parameters, const Reals& initial,
                                  const std::optional<std::vector<double>>& guess = std::nullopt);

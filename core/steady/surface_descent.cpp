@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "core/numerics/dense_matrix.hpp"
+#include "core/steady/gradient_flow.hpp"
 
 namespace qdot {
 namespace {
@@ -12,14 +13,11 @@ namespace {
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-constexpr int most_steps_down = 200;
 constexpr int most_corrections = 8;
-/// In units of the coordinates' sizes.
-constexpr double longest_step = 0.5;
-constexpr double least_part = 1e-4;
-constexpr double too_short = 1e-12;
 /// Of the forces that the multipliers balance: what is below it is rounding.
 constexpr double no_force = 1e-14;
+/// Of the stiffness: what is below it is rounding.
+constexpr double symmetric_on_surface = 1e-12;
 
 class Descent {
  public:
@@ -29,17 +27,18 @@ class Descent {
         m_(static_cast<Eigen::Index>(whole.constraints)),
         forces_(whole.statics->forces.bind(constants)),
         slopes_(whole.statics->stiffness.bind(constants)),
+        inertia_(whole.statics->inertia.bind(constants)),
         q_(Eigen::Map<const VectorXd>(start.data(), n_)),
         sizes_(sizes()) {}
 
   std::optional<std::vector<double>> lowest() {
     if (!back_on_surface()) return std::nullopt;
-    for (int i = 0; i < most_steps_down; ++i) {
-      const auto step = downhill();
-      if (!step) return std::nullopt;
-      if (!(step->norm() > too_short) || !goes_down(*step)) return place();
-    }
-    return std::nullopt;
+    const Hillside hillside{
+        [this](const VectorXd& q) { return slope(q); },
+        [this](const VectorXd& q, const Slope& at, const VectorXd& s) { return moved(q, at, s); }, sizes_};
+    const auto low = end_of_flow(hillside, VectorXd(q_));
+    if (!low || !slope(*low)) return std::nullopt;  // which writes the multipliers there
+    return place();
   }
 
  private:
@@ -100,59 +99,69 @@ class Descent {
     return k ? std::optional<MatrixXd>(-k->bottomLeftCorner(m_, n_)) : std::nullopt;
   }
 
-  /// -|K|^-1 g along the surface, in units of the sizes; zero where nothing acts along it. Writes the
-  /// multipliers that leave the least force.
-  [[nodiscard]] std::optional<VectorXd> downhill() {
+  /// A displacement dq = A^+ A dq + (what the constraints allow), in units of the sizes.
+  [[nodiscard]] MatrixXd allowed(const MatrixXd& a) const {
+    return MatrixXd::Identity(n_, n_) - pseudo_inverse(a) * a;
+  }
+
+  /// Independent displacements that the constraints allow; the others have the value 0.
+  [[nodiscard]] std::optional<MatrixXd> tangents(const MatrixXd& a) const {
+    const MatrixXd onto = allowed(a), units = MatrixXd::Identity(n_, n_);
+    const auto axes = principal_axes(onto, units);
+    return axes ? std::optional<MatrixXd>(axes->vectors.rightCols(n_ - m_)) : std::nullopt;
+  }
+
+  /// In units of the sizes.
+  [[nodiscard]] std::optional<MatrixXd> inertia() {
+    const std::vector<double> out = values(whole_.statics->inertia, inertia_, q_, VectorXd::Zero(m_));
+    if (out.empty()) return std::nullopt;
+    const MatrixXd m = Eigen::Map<const MatrixXd>(out.data(), n_ + m_, n_ + m_).topLeftCorner(n_, n_);
+    return sizes_.asDiagonal() * m * sizes_.asDiagonal();
+  }
+
+  /// Writes the multipliers that leave the least force.
+  [[nodiscard]] std::optional<Slope> slope(const VectorXd& q) {
+    q_ = q;
     const auto g = forces(q_);
     const auto a = slopes();
-    if (!g || !a) return std::nullopt;
-    const VectorXd slope = sizes_.cwiseProduct(g->head(n_));
-    const MatrixXd back = pseudo_inverse(*a);
-    multipliers_ = back.transpose() * slope;
-    const VectorXd along = slope - a->transpose() * multipliers_;
+    const auto m = inertia();
+    if (!g || !a || !m) return std::nullopt;
+    const VectorXd force = sizes_.cwiseProduct(g->head(n_));
+    multipliers_ = pseudo_inverse(*a).transpose() * force;
     if (!multipliers_.allFinite()) return std::nullopt;
-    if (!(along.norm() > no_force * slope.norm())) return VectorXd::Zero(n_);
-    return shortened(along, MatrixXd::Identity(n_, n_) - back * *a);
-  }
-
-  /// `onto` is the projection onto the displacements that the constraints allow.
-  [[nodiscard]] std::optional<VectorXd> shortened(const VectorXd& along, const MatrixXd& onto) {
     const auto k = stiffness(multipliers_);
-    if (!k) return std::nullopt;
-    const MatrixXd of_q = k->topLeftCorner(n_, n_);
-    const MatrixXd curvature = onto * (of_q + of_q.transpose()) * onto / 2;
-    const MatrixXd units = MatrixXd::Identity(n_, n_);
-    const auto axes = principal_axes(curvature, units);
+    const auto z = tangents(*a);
+    if (!k || !z) return std::nullopt;
+    const MatrixXd along = z->transpose() * k->topLeftCorner(n_, n_) * *z;
+    const MatrixXd curvature = (along + along.transpose()) / 2, mass = z->transpose() * *m * *z;
+    const auto axes = principal_axes(curvature, mass);
     if (!axes) return std::nullopt;
-    VectorXd step = VectorXd::Zero(n_);
-    for (Eigen::Index i = 0; i < n_; ++i) {
-      const VectorXd v = onto * axes->vectors.col(i);
-      const double force = v.dot(along);
-      if (force == 0) continue;
-      const double rate = std::max(std::abs(axes->values[i]), std::abs(force) * 1e-8);
-      VectorXd part = -force / rate * v;
-      if (const double size = part.norm(); size > longest_step) part *= longest_step / size;
-      step += part;
-    }
-    return step;
+    const MatrixXd displacements = *z * axes->vectors;
+    VectorXd left = displacements.transpose() * force;
+    if (!((z->transpose() * force).norm() > no_force * force.norm())) left.setZero();
+    const bool is_gradient = (along - along.transpose()).norm() <= symmetric_on_surface * along.norm();
+    return Slope{axes->values, left, sizes_.asDiagonal() * displacements, is_gradient};
   }
 
-  /// Takes as much of the step as does work, brought back onto the surface.
-  [[nodiscard]] bool goes_down(const VectorXd& step) {
-    const VectorXd from = q_;
-    for (double t = 1; t > least_part; t /= 2) {
-      q_ = from + t * sizes_.cwiseProduct(step);
-      if (back_on_surface() && work(from, q_) < 0) return true;
-    }
-    q_ = from;
-    return false;
+  /// Brought back onto the surface, with what that makes of the axes there.
+  [[nodiscard]] std::optional<Moved> moved(const VectorXd& q, const Slope& at, const VectorXd& s) {
+    q_ = q + at.axes * s;
+    if (!back_on_surface() || !in_domain()) return std::nullopt;
+    const auto g = forces(q_);
+    const auto a = slopes();
+    const auto m = inertia();
+    if (!g || !a || !m) return std::nullopt;
+    const MatrixXd axes = allowed(*a) * sizes_.cwiseInverse().asDiagonal() * at.axes;
+    const VectorXd force = axes.transpose() * sizes_.cwiseProduct(g->head(n_));
+    return Moved{q_, solve(axes.transpose() * *m * axes, force)};
   }
 
-  /// Simpson's rule for the integral of g along the chord.
-  [[nodiscard]] double work(const VectorXd& from, const VectorXd& to) {
-    const auto start = forces(from), middle = forces((from + to) / 2), end = forces(to);
-    if (!start || !middle || !end) return std::nan("");
-    return (to - from).dot((*start + 4 * *middle + *end).head(n_)) / 6;
+  [[nodiscard]] bool in_domain() const {
+    const auto& coordinates = whole_.dynamics->model().scene.coordinates;
+    for (Eigen::Index i = 0; i < n_; ++i)
+      if (!coordinates[whole_.statics->reduction.kept[static_cast<std::size_t>(i)]].domain.contains(q_[i]))
+        return false;
+    return true;
   }
 
   /// By Newton's iteration with the shortest steps.
@@ -170,7 +179,7 @@ class Descent {
 
   const SurfaceStatics& whole_;
   Eigen::Index n_, m_;
-  Workspace forces_, slopes_;
+  Workspace forces_, slopes_, inertia_;
   VectorXd q_, sizes_, multipliers_;
 };
 

@@ -1,6 +1,6 @@
 #pragma once
-// The way downhill on the surface of holonomic constraints, as core/steady/equilibrium.cpp goes down without
-// them: where the search for the stable equilibrium below a start begins.
+// The way downhill on the surface of holonomic constraints: where a motion with strong damping from a start
+// comes to rest (core/steady/gradient_flow.hpp), the inertia of what the constraints allow being its measure.
 
 #include <optional>
 #include <span>
@@ -10,9 +10,8 @@
 
 namespace qdot {
 
-/// The place x = (q, lambda) that Newton's iteration with |K| on the surface comes to from `start`, each step
-/// brought back onto the surface and doing work downhill; `start` itself, brought onto the surface, where no
-/// force acts along it. No value where no end is reached. `constants` are the reduction's.
+/// The place x = (q, lambda) in which that ends; `start` itself, brought onto the surface, where no force
+/// acts along it. No value where no end is reached. `constants` are the reduction's.
 [[nodiscard]] std::optional<std::vector<double>> lowest_downhill(const SurfaceStatics& whole,
                                                                  std::span<const double> constants,
                                                                  std::span<const double> start);

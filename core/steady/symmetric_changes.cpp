@@ -5,6 +5,7 @@
 
 #include "core/base/error.hpp"
 #include "core/expr/print/print.hpp"
+#include "core/expr/simplify.hpp"
 #include "core/expr/zeroness.hpp"
 #include "core/symmetry/symmetries.hpp"
 
@@ -37,11 +38,24 @@ bool is_potential_of(const Lagrangian& massless, const std::vector<Expression>& 
   return true;
 }
 
+/// With the potential of steady forces, such as balanced torques: those that are the same in all places.
+Lagrangian with_steady_forces(Lagrangian own, const std::vector<Expression>& forces) {
+  const std::vector<Expression>& x = own.symbols.coordinates.value;
+  for (std::size_t i = 0; i < forces.size(); ++i) {
+    const Expression slope = differentiate(own.lagrangian, x[i]);
+    const Expression steady = simplify(own.graph->adopt(forces[i]) + slope);
+    if (!steady.is_zero() && !depends_on(steady, x)) own.lagrangian = own.lagrangian - steady * x[i];
+  }
+  own.varied = own.lagrangian;
+  return own;
+}
+
 /// None where there are none that can be used.
 std::optional<SymmetrySearch> searched(const Statics& statics) {
   try {
-    const Lagrangian own = massless(statics.reduction);
-    if (own.symbols.coordinates.value.size() < 2 || !is_potential_of(own, statics.rest)) return std::nullopt;
+    if (statics.rest.size() < 2) return std::nullopt;
+    const Lagrangian own = with_steady_forces(massless(statics.reduction), statics.rest);
+    if (!is_potential_of(own, statics.rest)) return std::nullopt;
     SymmetrySearch search = symmetries_of_places(own);
     return search.found.empty() ? std::nullopt : std::optional(std::move(search));
   } catch (const Error& error) {

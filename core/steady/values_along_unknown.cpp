@@ -9,12 +9,12 @@
 namespace qdot {
 namespace {
 
-/// The argument of a logarithm, or of a root of an even power.
+/// The argument of a logarithm, or of a power that is not whole.
 [[nodiscard]] std::optional<Expression> what_has_to_be_positive(Graph& graph, NodeId id) {
   if (const auto* call = std::get_if<Call>(&graph.node(id)))
     return call->function == Function::log ? std::optional(Expression(graph, call->argument)) : std::nullopt;
   const auto* power = std::get_if<Power>(&graph.node(id));
-  if (power == nullptr || !(power->exponent.denominator() / Number(2)).is_integer()) return std::nullopt;
+  if (power == nullptr || power->exponent.is_integer()) return std::nullopt;
   return Expression(graph, power->base);
 }
 
@@ -70,26 +70,37 @@ namespace {
 
 }  // namespace
 
-std::vector<Interval> where_defined(const BalanceProblem& problem, std::size_t k) {
-  const SteadyPolynomial& polynomial = *problem.polynomial;
-  Graph graph(*polynomial.graph);
-  const Expression e = graph.adopt(polynomial.whole[k]), u = graph.symbol(problem.unknown);
+std::vector<HalfLine> half_lines(const BalanceProblem& problem, Graph& graph, std::size_t k) {
+  const Expression e = graph.adopt(problem.polynomial->whole[k]), u = graph.symbol(problem.unknown);
   const std::vector<RealAssignment> numbers = given_numbers(problem, graph);
-  std::vector<Interval> parts;
+  std::vector<HalfLine> found;
   const NodeId root = e.id();
   for (const NodeId id : reachable(graph, {&root, 1})) {
     const auto argument = what_has_to_be_positive(graph, id);
     if (!argument || !depends_on(*argument, u)) continue;
-    const Expression slope = differentiate(*argument, u);
-    const Replacement origin{u, graph.number(0)};
+    const Expression slope = simplify(differentiate(*argument, u));
     if (depends_on(slope, u)) continue;
+    const Replacement origin{u, graph.number(0)};
+    const Expression end = -substitute(*argument, {&origin, 1}) / slope;
     const Interval rise = Interval::literal(evaluate_exactly(slope, numbers)),
-                   offset = Interval::literal(evaluate_exactly(substitute(*argument, {&origin, 1}), numbers));
-    if (rise.contains(0.0) || !rise.is_finite() || !offset.is_finite()) continue;
-    const Interval end = -offset / rise;
-    parts.push_back(rise.lower > 0 ? Interval(end.lower, infinity) : Interval(-infinity, end.upper));
+                   place = Interval::literal(evaluate_exactly(end, numbers));
+    if (rise.contains(0.0) || !rise.is_finite() || !place.is_finite()) continue;
+    found.push_back({*argument, slope, end, place, rise.lower > 0 ? 1 : -1});
   }
-  return parts;
+  return found;
+}
+
+bool has_other_ends(const BalanceProblem& problem, std::size_t k) {
+  Graph graph(*problem.polynomial->graph);
+  const Expression e = graph.adopt(problem.polynomial->whole[k]), u = graph.symbol(problem.unknown);
+  const NodeId root = e.id();
+  return std::ranges::any_of(reachable(graph, {&root, 1}), [&](NodeId id) {
+    const auto* call = std::get_if<Call>(&graph.node(id));
+    if (call != nullptr && (call->function == Function::asin || call->function == Function::acos))
+      return depends_on({graph, call->argument}, u);
+    const auto argument = what_has_to_be_positive(graph, id);
+    return argument && depends_on(*argument, u) && depends_on(simplify(differentiate(*argument, u)), u);
+  });
 }
 
 Candidates without_poles(const BalanceProblem& problem, Candidates found, std::size_t k) {

@@ -12,8 +12,17 @@
 
 namespace qdot {
 
-/// Half-lines outside which a root or a logarithm of force k, of what is linear in u, has no value.
-[[nodiscard]] std::vector<Interval> where_defined(const BalanceProblem& problem, std::size_t k);
+/// Up to an end a, or from it on: what a root or a logarithm in a force, of what is linear in u, leaves it.
+struct HalfLine {
+  Expression argument, slope, end;  ///< argument = slope (u - end)
+  Interval place;                   ///< of the end
+  int direction{};                  ///< of the half-line from there: 1 or -1
+};
+
+/// Those of force k, in `graph`, a copy of the polynomial's.
+[[nodiscard]] std::vector<HalfLine> half_lines(const BalanceProblem& problem, Graph& graph, std::size_t k);
+/// Whether it has a value only in a part of the line that they do not tell, as sqrt(1 - u^2) has.
+[[nodiscard]] bool has_other_ends(const BalanceProblem& problem, std::size_t k);
 
 /// `found`, zeros of the numerator of force k, without those that are proven to be poles. Where a pole is as
 /// near as the value's error, and not proven to be the zero, the obstacle is `not_decided`.

@@ -77,6 +77,7 @@ class BalancedPlaces(Service):
                          ["-acos(g/(R*Omega^2))", None, "acos(g/(R*Omega^2))", "pi"])
         side, bottom, top = "Omega^2 - g^2/(R^2*Omega^2)", "g/R - Omega^2", "-Omega^2 - g/R"
         self.assertEqual([entry["exact_rate2"]["text"] for entry in found], [side, bottom, side, top])
+        self.assertEqual(found[0]["exact"]["theta"]["assumes"], ["R > 0", "Omega > 0", "g > 0", "R*Omega^2 > g"])
         for name in ("henon_heiles", "governor", "orbiting_pendulum", "spring_pendulum"):
             for entry in self.ask("equilibria", {"system": name})["equilibria"]:
                 at = self.ask("modes", {"system": name, "equilibrium": {

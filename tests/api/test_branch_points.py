@@ -31,6 +31,7 @@ class Case:
         v = mpf(self.speed)
         self.times = [(mpf(place) - away) / v, (mpf(place) + away) / v]
         self.bottom = mpf(place) / v
+        self.lost = self.bottom - sqrt(mpf(depth) / mpf(g)) / v  # where it has no value from, with d < 0
         self.end = float(self.times[1] + mpf("0.05"))
 
     def request(self, **members):
@@ -75,11 +76,13 @@ class BranchPoints(Service):
             held = case.request(valid_while=[{"name": "held", "expression": f"2 + {case.text}", "reason": "touch",
                                               "message": "It has come too near."}])
             pushed = case.request(forces=[{"name": "f", "value": f"1e-9*sign(2 + {case.text})", "along": "x"}])
-            for request in (held, pushed):
-                problem = self.refused("simulate", request)
-                with self.subTest(case.text):
-                    self.assertEqual(problem["reason"], "nonfinite")
-                    self.assertLess(problem["t_reached"], case.bottom)
+            with self.subTest(case.text):
+                stop = self.ask("simulate", held)["stop"]
+                self.assertEqual(stop["reason"], "touch")
+                self.assert_near(stop, case.lost)
+                problem = self.refused("simulate", pushed)
+                self.assertEqual(problem["reason"], "nonfinite")
+                self.assertLess(problem["t_reached"], case.bottom)
 
     def test_a_function_that_has_values_again_has_crossed_nothing_there(self):
         """The velocity of an oscillator, times a root that is 0 where it begins to have values."""

@@ -5,6 +5,7 @@ method of a fixed order and step in another arithmetic.
 """
 
 import json
+import math
 import os
 import pathlib
 import random
@@ -234,6 +235,19 @@ class Extended(Service):
                     self.assertLess(stated, 1e-25)
                 self.assertTrue(answer["accuracy"]["bounded"])
                 self.assertNotIn("reason", answer["accuracy"])
+
+    def test_a_pulse_that_is_less_than_all_doubles_at_first_comes_to_an_answer(self):
+        system = {"name": "pushed", "units": "none", "coordinates": [{"name": "x"}], "lagrangian": "x_dot^2/2",
+                  "forces": [{"name": "f", "value": "exp(-(t - 90)^2)", "along": "x"}]}
+        for t_end, truth in ((40, 0), (60, 0), (100, 17.724538509055161)):
+            answer = self.ask("simulate", {"system": system, "t_end": t_end, "samples": 2, "precision": "extended", "max_error": 1e-18})
+            self.assertLess(abs(answer["trajectory"]["x"][-1] - truth), 1e-14)
+            self.assertLess(answer["accuracy"]["max_abs_error"]["x"], 1e-18)
+        system["lagrangian"] += " - 400*x^2/2"
+        system["forces"][0]["value"] = "exp(-((t - 0.4)/0.004)^2)"
+        answer = self.ask("simulate", {"system": system, "t_end": 1, "samples": 2})
+        impulse = 0.004*math.sqrt(math.pi)*math.exp(-(20*0.004)**2/4)
+        self.assertLessEqual(abs(answer["trajectory"]["x"][-1] - impulse*math.sin(20*0.6)/20), answer["accuracy"]["max_abs_error"]["x"] + 1e-18)
 
     def test_rounding_inside_a_force_is_in_the_error(self):
         """x'' = exp(-t^2) with the square written out: all computations in double-doubles have its rounding in common."""

@@ -18,18 +18,18 @@ SETS = 20
 
 # V, parameters, the start, and what has to be assumed of x_max, x_min and the period; None: there is no such formula
 CASES = [
-    ("k*x^2/2 + (b - c)/x^2", "m - 1; k - 3; b - 0.2; c - 0.1", "x - 0.5 0.3", [], [], ["b > c"]),
+    ("k*x^2/2 + (b - c)/x^2", "m - 1; k - 3; b - 0.2; c - 0.1", "x - 0.5 0.3", [], ["b > c"], ["b > c"]),
     ("m*g*x*(sin(c) - u*cos(c))", "m - 1; g - 9.81; c - 0.4; u - 0.2", "x - 2 4", ["sin(c) > u*cos(c)"], None, None),
     ("(A - a)*abs(x)", "m - 1; A - 3; a - 1", "x - 0.5 0.3", ["A > a"], ["A > a"], ["A > a"]),
     ("J/(2*x^2) - (k - q)/x", "m - 1; k - 3; J - 1; q - 1", "x - 0.5 0.3", [], [], ["k > q"]),
-    ("(A - a)*tan(x)^2", "m - 1; A - 3; a - 1", "x - 0.5 0.3", [], [], ["A > a"]),
+    ("(A - a)*tan(x)^2", "m - 1; A - 3; a - 1", "x - 0.5 0.3", ["A > a"], ["A > a"], ["A > a"]),
     ("(A - B)/sin(x)^2 + (C - D)/cos(x)^2", "m - 1; A - 3; B - 1; C - 2; D - 1", "x - 0.7 0.3", None, None, ["C > D", "A > B"]),
     # With b < c there is a well, but a motion may start beside it.
     ("a*x^2/2 + (b - c)*x^4/4", "m - 1; a - 3; b - 2; c - 1", "x - 0.7 0.3", ["b > c"], ["b > c"], ["b > c"]),
-    ("(k - s)*x^2/2", "m - 1; k - 3; s - 1", "x - 0.5 0.3", [], [], []),
+    ("(k - s)*x^2/2", "m - 1; k - 3; s - 1", "x - 0.5 0.3", ["k > s"], ["k > s"], ["k > s"]),
     ("k*x^2/2 - F*x + a*x", "m - 1; k - 3; a - 1; F - 3", "x - 0.5 0.3", [], [], []),
     ("b*x^4/4 - (a - c)*x^2/2", "m - 1; a - 3; b - 1; c - 1", "x - 1.5 0.1", [], [], []),
-    ("(A - a)*x^4/4", "m - 1; A - 3; a - 1", "x - 0.5 0.3", [], [], []),
+    ("(A - a)*x^4/4", "m - 1; A - 3; a - 1", "x - 0.5 0.3", ["A > a"], ["A > a"], ["A > a"]),
     ("-m*(g - a)*l*cos(x)", "m - 1; g - 9.81; l - 1; a - 2", "x - 0.5 0.3", ["g > a"], ["g > a"], []),
 ]
 
@@ -46,7 +46,7 @@ BESIDE = [
     ("m*x_dot^2/2 - k*x^2/2 + F*x", "m - 1; k - 3; F - 2", "x - 0.1", "period", ["m > 0", "k > 0"]),
     # An arc of a cosine is a place of the first turn, where a motion from another does not come.
     ("m*l^2*x_dot^2/2 + m*g*l*cos(x)", "m - 1; g - 9.81; l - 0.7; c - 0.5", "x - c", "x_min", ["c > 0", "pi > c"]),
-    ("m*l^2*x_dot^2/2 + m*g*l*cos(x)", "m - 1; g - 9.81; l - 0.7; c - 0.4; u - 0.5", "x - c u", "x_max", ["g > 0", "l > 0", "c > 0", "u > 0", "pi > c"]),
+    ("m*l^2*x_dot^2/2 + m*g*l*cos(x)", "m - 1; g - 9.81; l - 0.7; c - 0.4; u - 0.5", "x - c u", "x_max", ["g > 0", "l > 0", "c > 0", "u > 0", "pi > c", "2*g + 2*g*cos(c) > l*u^2"]),
     # A hump rises at 0 just before the force at the start turns: one place in a hundred.
     ("m*l^2*x_dot^2/2 + m*g*l*cos(x) - k*x^2/2", "m - 1; g - 9.81; l - 0.7; k - 2", "x - 0.4", "x_min", ["2*k + 25*m*g*l > 25*m*g*l*cos(2/5)"]),
     ("m*x_dot^2/2 - a*(1 - cos(x)) - b*(1 - cos(2*x))", "m - 1; a - 1; b - 1", "x - 0.3", "x_min", ["a + b > a*cos(0.3) + b*cos(3/5)"]),
@@ -58,7 +58,7 @@ BESIDE = [
     ("m*x_dot^2/2 - k*log(x)^2 + q*log(x)^4", "m - 1; k - 5; q - 0.5; c - 1.4", "x - c", "x_min", ["c > 0", "log(c) > 0", "k > q*log(c)^2"]),
     # Beyond the top nothing comes back.
     ("m*x_dot^2/2 - (a - b)*x^2/2 - (c - d)*x^4/4", "m - 1; a - 3; b - 1; c - 1; d - 3", "x - 0.3 0.1", "x_min",
-     ["a > 0", "b > 0", "c > 0", "d > 0", "h > 0", "100*a + 9*c > 100*b + 9*d"]),
+     ["a > 0", "b > 0", "c > 0", "d > 0", "h > 0", "100*a + 9*c > 100*b + 9*d", "a^2 + b^2 + 4*c*h > 2*a*b + 4*d*h"]),
 ]
 
 

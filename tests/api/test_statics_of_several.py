@@ -158,6 +158,15 @@ class Families(Service):
         found = self.ask("equilibria", {"system": well})
         self.assertEqual((len(found["equilibria"]), found["complete"]), (1, True))
 
+    def test_what_turns_together_under_balanced_torques_is_a_family(self):
+        gears = lagrangian("gears", "k - 10; n - 3", "a - 0.1; b - 0.2", "a_dot^2/2 + b_dot^2 - k*(a - n*b)^2/2",
+                           forces=[{"along": "a", "value": "2"}, {"along": "b", "value": "-2*n"}])
+        self.assertIn("The small change da = n and db = 1 changes no force", self.ask("equilibria", {"system": gears})["reason"])
+        found = self.ask("modes", {"system": gears})
+        self.assertEqual([mode["kind"] for mode in found["modes"]], ["rigid", "oscillation"])
+        place = found["equilibrium"]["state"]
+        self.assertAlmostEqual(place["a"] - 3*place["b"], 0.2, delta=1e-14)
+
     def test_a_force_that_is_never_zero(self):
         drag = lagrangian("fall", "g - 9.81", "x - 0; y - 0", "x_dot^2/2 + y_dot^2/2 - g*y",
                           dissipation="x_dot^2/2 + y_dot^2/2")

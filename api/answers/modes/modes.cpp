@@ -307,6 +307,27 @@ void note_family(const Scene& scene, const Modes& modes, Json& body) {
       " here, and the errors are those of the other coordinates.");
 }
 
+/// What is to be said of a place that was looked for, and is not simply the stable one downhill.
+void note_arrival(const Modes& modes, const Reals& start, Json& body) {
+  bool is_start = true;
+  for (std::size_t i = 0; i < start.size() / 2; ++i) is_start = is_start && modes.y[i] == start[i];
+  if (is_start || !modes.arrival) return;
+  const auto leads_on = [](const Mode& mode) { return mode.kind == ModeKind::growth && mode.omega == 0; };
+  const char* note = nullptr;
+  if (modes.arrival == Arrival::newton)
+    note =
+        "Downhill of 'initial' no stable place was found that the model allows: this one is where Newton's "
+        "iteration ends from there.";
+  else if (std::ranges::any_of(modes.modes, leads_on))
+    note =
+        "The way downhill of 'initial' ends in this unstable place, on a ridge: beside the ridge it leads on.";
+  else if (modes.arrival == Arrival::seen_downhill)
+    note =
+        "This place is downhill of 'initial'; that the force does not vanish on the way was seen at points "
+        "only.";
+  if (note != nullptr) body["notes"].push_back(note);
+}
+
 Response answer_modes(const Resolved<ModesRequest>& resolved, Call& call, Models& models) {
   const auto& [request, echo] = resolved;
   const ResolvedSystem system = resolved_system(request.system, echo, models, std::nullopt);
@@ -323,6 +344,7 @@ Response answer_modes(const Resolved<ModesRequest>& resolved, Call& call, Models
                            : no_formulas(modes);
   const int digits = request.digits.value_or(shortest_digits);
   Json body = ModesAnswer(system.model(), parameters, place, modes, exact, digits).body();
+  note_arrival(modes, y, body);
   note_rates_left_out(system.model(), request.system, y, modes, body);
   note_family(system.scene(), modes, body);
   call.timing.lap("solve");

@@ -12,7 +12,10 @@ const RequestTable<ModesRequest>& modes_table() {
           symbols_field<ModesRequest>(
               SymbolRole::equilibrium,
               "coordinates of the equilibrium, exact or a guess; without them the stable one downhill of "
-              "'initial', or where there is none the one that Newton's iteration finds from there",
+              "'initial', where strong damping would bring the system to rest (with one coordinate proven to be "
+              "the first place on the way, with more found by short steps), or where there is none the one that "
+              "Newton's iteration finds from there; with a constraint in the velocities the steady state that "
+              "'initial' is",
               {"about", "at", "around", "position", "steady_state"}),
           initial_field<ModesRequest>(),
           inputs_field<ModesRequest>(),

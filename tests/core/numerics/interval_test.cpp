@@ -154,7 +154,8 @@ TEST(IntervalArithmetic, PolesAndUndefinedPlacesAreTheWholeLine) {
 
 TEST(IntervalArithmetic, UnboundedOperandsAreUnderstood) {
   const Interval all = Interval::whole();
-  EXPECT_EQ((Interval(0) * all).upper, 0);  // members are finite
+  EXPECT_EQ((Interval(0) * all).upper, infinity);             // it may have no value
+  EXPECT_EQ((Interval(0) * Interval(1, infinity)).upper, 0);  // members are finite
   EXPECT_TRUE((all + Interval(1)).contains(1e300));
   EXPECT_EQ(sin(all).lower, -1);
   EXPECT_EQ(sin(all).upper, 1);

@@ -1,0 +1,33 @@
+"""Conditions of validity that cease to have a value where they fail, or before: they hold no longer."""
+
+import pathlib
+import sys
+import unittest
+
+sys.path.append(str(pathlib.Path(__file__).resolve().parents[1] / "support"))
+from service import Service  # noqa: E402
+
+# Of x = t, and where it ends.
+CONDITIONS = [("sqrt(1 - x)", 1), ("sqrt(1 - x) - 0.001", 0.999999), ("(1 - x)^0.5 + 1", 1), ("sqrt(1 - x) - 1e-10", 1),
+              ("log(1 - x) + 30", 1 - 9.357622968840175e-14), ("log(1 - x) + 1", 0.6321205588285577),
+              ("sqrt(2 - x) + sqrt(3 - 2*x)", 1.5), ("sqrt((x - 1)^2) - 0.25", 0.75), ("x + sqrt(x^2 + 1)", None)]
+
+
+class ConditionsWithoutValue(Service):
+    def test_they_end_the_motion_where_they_have_none(self):
+        for expression, end in CONDITIONS:
+            scene = {"name": "moving", "units": "none", "coordinates": [{"name": "x", "initial": "0", "initial_rate": "1"}],
+                     "lagrangian": "x_dot^2/2",
+                     "valid_while": [{"name": "v", "expression": expression, "reason": "over", "message": "It is over."}]}
+            with self.subTest(expression=expression):
+                answer = self.ask("simulate", {"system": scene, "t_end": 2, "samples": 2})
+                if end is None:
+                    self.assertEqual(answer["status"], "complete")
+                    continue
+                self.assertEqual(answer["stop"]["reason"], "over")
+                self.assertLessEqual(abs(answer["stop"]["t"] - end), answer["stop"]["error"])
+                self.assertLess(answer["stop"]["error"], 3e-14)
+
+
+if __name__ == "__main__":
+    unittest.main()
