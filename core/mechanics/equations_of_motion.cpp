@@ -13,6 +13,8 @@
 namespace qdot {
 namespace {
 
+/// What a bracket may cost that may divide an equation.
+constexpr std::uint64_t most_division = 300'000;
 /// What the solution of more unknowns than Cramer's rule is used for may cost, and how long it may be.
 constexpr std::uint64_t most_substitution = 1'000'000;
 constexpr std::size_t longest_solution = 150;
@@ -42,6 +44,20 @@ std::vector<Expression> brackets(const Expression& diagonal) {
   return found;
 }
 
+/// The equation divided by the bracket; none where it is no factor, or where to find that out takes too much.
+std::optional<RawEquation> quotient(Graph& graph, const RawEquation& equation, const Expression& bracket) {
+  const WorkScope budget(most_division);
+  try {
+    const Polynomial by = multiplied_out(bracket);
+    auto left = trigonometric_quotient(graph, equation.left, by);
+    auto right = trigonometric_quotient(graph, equation.right, by);
+    if (left && right) return RawEquation{*std::move(left), *std::move(right)};
+  } catch (const Error& error) {
+    if (error.code() != ErrorCode::too_large) throw;
+  }
+  return std::nullopt;
+}
+
 Monomial common_monomial(const RawEquation& equation) {
   Polynomial both = equation.left;
   add(both, equation.right, Number(-1));
@@ -63,11 +79,9 @@ Expression divide(const Lagrangian& lagrangian, RawEquation& equation, const Exp
   equation.right = scaled(equation.right, inverse(common), 1);
   Expression divisor = to_expression(graph, common);
   for (const Expression& bracket : brackets(diagonal)) {
-    const Polynomial by = multiplied_out(bracket);
-    const auto left = trigonometric_quotient(graph, equation.left, by);
-    const auto right = trigonometric_quotient(graph, equation.right, by);
-    if (!left || !right) continue;
-    equation = {*left, *right};
+    auto divided = quotient(graph, equation, bracket);
+    if (!divided) continue;
+    equation = *std::move(divided);
     divisor = divisor * bracket;
   }
   return divisor;
@@ -125,7 +139,7 @@ EquationsOfMotion derive_equations(const Lagrangian& lagrangian) {
     RawEquation raw = raw_equation(lagrangian, i);
     const Expression diagonal = simplify(differentiate(to_expression(graph, raw.left), q.second_rate[i]));
     Expression divisor = divide(lagrangian, raw, diagonal);
-    if (raw.right.empty()) {  // a number in front of everything says nothing
+    if (raw.right.empty() && !raw.left.empty()) {  // a number in front of everything says nothing
       const Number number = split_coefficient(simplify(to_expression(graph, raw.left))).coefficient;
       raw.left = scaled(raw.left, {}, Number(1) / number);
       divisor = number * divisor;

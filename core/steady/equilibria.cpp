@@ -188,9 +188,7 @@ class RegionSearch {
     }
     Isolation found = isolate_zeros(equations_on(sides), middle, scales, most_boxes_of_middle);
     if (where.empty() || !found.complete || !found.undecided.empty()) {
-      incomplete(
-          "The search was given up before it was finished, so equilibria may be missing: there are many of "
-          "them, perhaps without end, or many coordinates, or forces of very different sizes cancel.");
+      incomplete(given_up(scene(), problem_));
       return whole;
     }
     incomplete("The search was given up before it was finished: these are all equilibria with " + where +
@@ -248,20 +246,10 @@ class RegionSearch {
   }
 
   void family(const std::vector<std::size_t>& shift) {
-    std::vector<std::string> names;
-    for (const std::size_t j : shift) names.push_back(coordinate(j).name);
-    family("Adding the same to " + listed(names));
+    incomplete("Adding the same to " + listed(coordinate_names(scene(), problem_, shift)) + only_families);
   }
-  void family(const WrittenShift& shift) {
-    std::vector<std::string> changes;
-    for (const auto& [j, added] : shift) changes.push_back("d" + coordinate(j).name + " = " + added);
-    family("The small change " + listed(changes));
-  }
-  void family(const std::string& change) {
-    incomplete(
-        change +
-        " changes no force, so equilibria are no isolated points: where there are some, there is a whole "
-        "family, which is not listed. 'modes' has the small motions about one of them.");
+  void family(const WrittenChange& shift) {
+    incomplete(small_change(scene(), problem_, shift) + only_families);
   }
 
   /// Whether some force has no zero anywhere, as one that depends on no coordinate.

@@ -2,6 +2,10 @@
 
 namespace qdot {
 
+const char* const two_signs =
+    "The kinetic energy has two signs here, so that the potential does not decide, and eigenvalues of the "
+    "linearized equations are zero or imaginary to within rounding: what terms beyond them do is not looked at.";
+
 Inertia inertia_of(std::vector<Interval> matrix, std::size_t n) {
   Inertia result;
   std::vector<std::size_t> left(n);

@@ -16,4 +16,7 @@ struct Inertia {
 };
 [[nodiscard]] Inertia inertia_of(std::vector<Interval> matrix, std::size_t n);
 
+/// Why a potential does not decide beside a mass matrix that is neither positive nor negative definite.
+extern const char* const two_signs;
+
 }  // namespace qdot

@@ -7,6 +7,7 @@
 #include "core/expr/polynomial.hpp"
 #include "core/expr/simplify.hpp"
 #include "core/steady/combined_forces.hpp"
+#include "core/steady/hyperbolic_tails.hpp"
 #include "core/steady/numerator.hpp"
 #include "core/steady/reduced_forces.hpp"
 
@@ -17,32 +18,6 @@ bool never_vanishes(const Expression& base, std::span<const Expression> nonzero)
   const auto* call = std::get_if<Call>(&base.node());
   return (call != nullptr && (call->function == Function::exp || call->function == Function::cosh)) ||
          std::ranges::find(nonzero, base) != nonzero.end();
-}
-
-bool has_tanh(const Expression& e) {
-  const NodeId root[]{e.id()};
-  return std::ranges::any_of(reachable(e.graph(), root), [&](NodeId id) {
-    const auto* call = std::get_if<Call>(&e.graph().node(id));
-    return call != nullptr && call->function == Function::tanh;
-  });
-}
-
-/// tanh^2 = 1 - 1/cosh^2, so that 1 - tanh^2 keeps its sign where tanh rounds to 1.
-Expression without_tanh_squares(const Expression& given) {
-  Graph& graph = given.graph();
-  if (!has_tanh(given)) return given;
-  const Expression e = expand(given);
-  std::vector<Replacement> squares;
-  const NodeId root[]{e.id()};
-  for (const NodeId id : reachable(graph, root)) {
-    const auto* power = std::get_if<Power>(&graph.node(id));
-    const auto* call = power == nullptr ? nullptr : std::get_if<Call>(&graph.node(power->base));
-    if (call == nullptr || call->function != Function::tanh || !(power->exponent == Number(2))) continue;
-    const Expression u(graph, call->argument);
-    squares.emplace_back(Expression(graph, id),
-                         graph.number(1) - pow(graph.call(Function::cosh, u), Number(-2)));
-  }
-  return squares.empty() ? given : simplify(substitute(e, squares));
 }
 
 /// e with the zeros that it has: without what all its terms share and what has no zeros.
@@ -117,7 +92,7 @@ SmoothForces derive_smooth_forces(const Reduction& reduction, Graph& graph, std:
   std::vector<Expression> forces;
   std::ranges::copy_if(pieces.smooth, std::back_inserter(forces),
                        [](const Expression& g) { return !g.is_zero(); });
-  for (Expression& g : pieces.smooth) g = without_nonzero_factors(without_tanh_squares(g), nonzero);
+  for (Expression& g : pieces.smooth) g = without_nonzero_factors(with_hyperbolic_tails(g), nonzero);
   std::vector<Expression> variables = x;
   variables.insert(variables.end(), pieces.sides.begin(), pieces.sides.end());
   const auto compiled = [&](const std::vector<Expression>& expressions) {

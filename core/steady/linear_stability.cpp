@@ -136,6 +136,8 @@ bool loses_energy(const LinearizedForces& at) {
 }
 
 std::string why_undecided(const LinearizedForces& at, bool potential, const NextTerms& next_terms) {
+  const Inertia mass = inertia_of(at.mass, at.n);
+  if (at.has_potential && mass.positive > 0 && mass.negative > 0) return two_signs;
   if (at.n > 1) return several;
   if (at.mass[0].contains(0.0)) return no_inertia;
   if (potential) return next_terms();

@@ -20,6 +20,37 @@ std::size_t place_of_free(const BallMatrix& allowed, std::size_t f) {
   return static_cast<std::size_t>(std::ranges::find_if(allowed, is_it) - allowed.begin());
 }
 
+/// w and w.M v, with w.K v = lambda w.M v for every w: v itself, or where v.M v may be zero, as beside a
+/// kinetic energy of two signs, the displacement with most of M v.
+struct Weights {
+  Shape w;
+  Ball inertia;
+};
+Weights weights(const Linearization& at, const Shape& v) {
+  const std::size_t n = v.size();
+  std::vector<Ball> momenta(n);
+  Weights result{v, {}};
+  for (std::size_t i = 0; i < n; ++i) {
+    for (std::size_t j = 0; j < n; ++j) momenta[i] = momenta[i] + at.reduced.mass(i, j) * v[j].re;
+    result.inertia = result.inertia + v[i].re * momenta[i];
+  }
+  if (!result.inertia.contains_zero()) return result;
+  const auto largest =
+      std::ranges::max_element(momenta, {}, [](const Ball& p) { return std::abs(p.value()); });
+  result.w.assign(n, {});
+  result.w[static_cast<std::size_t>(largest - momenta.begin())] = Ball(1);
+  result.inertia = *largest;
+  return result;
+}
+
+Inertia signs_of(const SquareMatrix<Ball>& a) {
+  std::vector<Interval> entries;
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    for (std::size_t j = 0; j < a.size(); ++j) entries.push_back(a(i, j).interval());
+  }
+  return inertia_of(entries, a.size());
+}
+
 }  // namespace
 
 std::vector<Ball> evaluated(const CompiledFunction& function, const std::vector<Ball>& constants,
@@ -56,16 +87,12 @@ double rounding_of_parameters(const Linearization& at, const Shape& shape) {
   std::vector<Ball> constants = at.constants;
   for (Ball& c : constants) c.radius += 0x1p-53 * std::abs(c.middle.high);
   const std::vector<Ball> k = evaluated(at.statics.stiffness, constants, at.place.x);
-  const Shape u = displaced(at, shape);
+  const auto [w, inertia] = weights(at, shape);
+  const Shape u = displaced(at, shape), along = displaced(at, w);
   double moved = 0;
   for (std::size_t i = 0; i < u.size(); ++i) {
     for (std::size_t j = 0; j < u.size(); ++j)
-      moved += magnitude(u[i]) * k[i * at.place.x.size() + j].radius * magnitude(u[j]);
-  }
-  Ball inertia;
-  for (std::size_t i = 0; i < shape.size(); ++i) {
-    for (std::size_t j = 0; j < shape.size(); ++j)
-      inertia = inertia + shape[i].re * at.reduced.mass(i, j) * shape[j].re;
+      moved += magnitude(along[i]) * k[i * at.place.x.size() + j].radius * magnitude(u[j]);
   }
   return moved / std::abs(inertia.middle.high);
 }
@@ -86,16 +113,15 @@ std::size_t undamped_among(const SmallMotions& motions, const std::vector<Shape>
   }));
 }
 
+bool has_one_sign(const SquareMatrix<Ball>& mass) {
+  const Inertia signs = signs_of(mass);
+  return signs.positive == mass.size() || signs.negative == mass.size();
+}
+
 bool held_by_potential(const SmallMotions& motions) {
+  const Inertia mass = signs_of(motions.mass), stiffness = signs_of(motions.stiffness);
   const std::size_t n = motions.size();
-  std::vector<Interval> stiffness;
-  for (std::size_t i = 0; i < n; ++i) {
-    for (std::size_t j = 0; j < n; ++j) {
-      const Ball& k = motions.stiffness(i, j);
-      stiffness.emplace_back(k.value() - k.error(), k.value() + k.error());
-    }
-  }
-  return inertia_of(stiffness, n).positive == n;
+  return (mass.positive == n && stiffness.positive == n) || (mass.negative == n && stiffness.negative == n);
 }
 
 SquareMatrix<ComplexBall> dynamic_stiffness(const SmallMotions& motions, const ComplexBall& s) {

@@ -39,7 +39,9 @@ using Shape = std::vector<ComplexBall>;
 /// So many of these v with K v = 0, or of their combinations, have D v = 0 as well: u = v t is a motion, too,
 /// and s = 0 counts twice.
 [[nodiscard]] std::size_t undamped_among(const SmallMotions& motions, const std::vector<Shape>& shapes);
-/// K is positive definite: without damping nothing can grow.
+/// Whether M is positive or negative definite: only beside such a kinetic energy does a potential decide.
+[[nodiscard]] bool has_one_sign(const SquareMatrix<Ball>& mass);
+/// M and K are positive definite, or both negative: without damping nothing can grow.
 [[nodiscard]] bool held_by_potential(const SmallMotions& motions);
 /// s^2 M + s D + K.
 [[nodiscard]] SquareMatrix<ComplexBall> dynamic_stiffness(const SmallMotions& motions, const ComplexBall& s);

@@ -74,20 +74,39 @@ class ModeSearch {
   /// False where no bound is to be had this way.
   bool from_squares() {
     const Eigensystem<Ball> found = squares(at_.reduced);
-    const std::size_t n = found.values.size();
     if (!std::ranges::all_of(found.radii, [](double r) { return std::isfinite(r); })) return false;
-    for (std::size_t first = 0; first < n; ++first) {
-      std::vector<std::size_t> members;
-      for (std::size_t i = 0; i < n; ++i) {
-        if (found.group[i] == first) members.push_back(i);
-      }
-      if (members.empty()) continue;
+    const std::vector<std::vector<std::size_t>> groups = groups_of(found);
+    if (!std::ranges::all_of(groups, [&](const auto& members) { return has_all_shapes(found, members); }))
+      return false;
+    for (const std::vector<std::size_t>& members : groups) {
       std::vector<Shape> shapes;
       for (const std::size_t i : members) shapes.push_back(shape_of(found, i));
       const std::vector<Mode> modes = modes_of_square(found, members, shapes);
       modes_.insert(modes_.end(), modes.begin(), modes.end());
     }
-    return n > 0;
+    return !groups.empty();
+  }
+
+  /// Those that cannot be told apart.
+  [[nodiscard]] static std::vector<std::vector<std::size_t>> groups_of(const Eigensystem<Ball>& found) {
+    const std::size_t n = found.values.size();
+    std::vector<std::vector<std::size_t>> groups(n);
+    for (std::size_t i = 0; i < n; ++i) groups[found.group[i]].push_back(i);
+    std::erase_if(groups, [](const auto& members) { return members.empty(); });
+    return groups;
+  }
+
+  /// As many as the group has members: surely where a potential is beside a kinetic energy of one sign; what
+  /// drives another at its own frequency lacks some.
+  [[nodiscard]] bool has_all_shapes(const Eigensystem<Ball>& found,
+                                    const std::vector<std::size_t>& members) const {
+    if (members.size() == 1 || (at_.reduced.undamped() && has_one_sign(at_.reduced.mass))) return true;
+    const Ball lambda(found.values[members[0]].middle, found.radii[members[0]]);
+    SquareMatrix<Ball> rest = at_.reduced.stiffness;
+    for (std::size_t i = 0; i < rest.size(); ++i) {
+      for (std::size_t j = 0; j < rest.size(); ++j) rest(i, j) = rest(i, j) - lambda * at_.reduced.mass(i, j);
+    }
+    return kernel(rest).size() >= members.size();
   }
 
   template <class T>

@@ -10,6 +10,7 @@
 #include "core/dynamics/missing_values.hpp"
 #include "core/steady/cones.hpp"
 #include "core/steady/free_direction.hpp"
+#include "core/steady/inertia.hpp"
 #include "core/steady/mode_matrices.hpp"
 #include "core/steady/mode_search.hpp"
 #include "core/steady/steady_forces.hpp"
@@ -194,18 +195,32 @@ class Analysis {
       result_.undecided =
           "An eigenvalue lies on the imaginary axis to within its error: whether that motion grows or decays "
           "is not decided.";
+    } else if (has(ModeKind::neutral) && !energy_decides()) {
+      result_.undecided =
+          "The linearized equations have the eigenvalue 0 to within the rounding of the parameters, and the forces "
+          "have no potential that would decide: whether small motions grow is not looked at.";
     } else if (has(ModeKind::neutral)) {
       result_.undecided =
           "Along the neutral mode the stiffness is zero to within the rounding of the parameters: higher "
           "terms of the potential decide.";
     } else if (!has(ModeKind::oscillation) && !has(ModeKind::decay)) {
       result_.undecided = "Every place is an equilibrium: nothing drives the system back or away.";
-    } else if (!has(ModeKind::decay) && gyroscopically_held()) {
+    } else if (has(ModeKind::oscillation) && reduced_.undamped() && !has_one_sign(reduced_.mass)) {
+      const bool is_exact = are_apart() && has_linear_equations(*statics_);
+      result_.stability = is_exact ? Stability::stable : Stability::neutral;
+      if (!is_exact) result_.undecided = two_signs;
+    } else if (reduced_.undamped() && !reduced_.depends_on_squares() && minimum() != Minimum::proven) {
       result_.undecided =
-          "The potential has no minimum here; gyroscopic terms hold the system to first order, and "
-          "linearization does not decide.";
+          std::string(minimum() == Minimum::none
+                          ? "The potential has no minimum here; gyroscopic"
+                          : "Whether the potential has a minimum here is not decided; gyroscopic") +
+          " terms hold the system to first order, and linearization does not decide.";
     } else if (is_freed && !reduced_.undamped() && !reduced_.depends_on_squares()) {
       write_stability_beside_damping();
+    } else if (has(ModeKind::oscillation) && !energy_decides() && !frequencies_are_apart()) {
+      result_.undecided =
+          "Frequencies of small motions are one to within their errors, and the forces have no potential: by "
+          "them one motion may drive another, and whether small motions grow is not decided.";
     } else if (has(ModeKind::oscillation) && !energy_decides()) {
       result_.undecided =
           "Small motions neither grow nor decay to first order, and the forces have no potential that would "
@@ -221,9 +236,13 @@ class Analysis {
 
   /// With simple eigenvalues, none of them 0: else what oscillates or drifts may drive what has no damping.
   [[nodiscard]] bool are_apart() const {
+    const auto is_rigid = [](const Mode& mode) { return mode.kind == ModeKind::rigid; };
+    return std::ranges::none_of(result_.modes, is_rigid) && frequencies_are_apart();
+  }
+
+  [[nodiscard]] bool frequencies_are_apart() const {
     std::optional<Interval> last;
     for (const Mode& mode : result_.modes) {
-      if (mode.kind == ModeKind::rigid) return false;
       if (mode.kind != ModeKind::oscillation) continue;
       if (mode.multiplicity > 1 || !mode.omega_error) return false;
       const Interval omega = Interval(mode.omega) + Interval(-*mode.omega_error, *mode.omega_error);
@@ -259,15 +278,20 @@ class Analysis {
         ->exists;
   }
 
-  /// Undamped with a direction in which the potential falls.
-  [[nodiscard]] bool gyroscopically_held() const {
-    if (reduced_.depends_on_squares() || !reduced_.undamped()) return false;
+  /// Of the potential, along the directions that are not rigid.
+  enum class Minimum { proven, none, unknown };
+  [[nodiscard]] Minimum minimum() const {
     const SmallMotions at_rest{reduced_.mass, reduced_.stiffness, SquareMatrix<Ball>(reduced_.size())};
     const Eigensystem<Ball> found = squares(at_rest);
+    std::size_t positive = 0;
     for (std::size_t i = 0; i < found.values.size(); ++i) {
-      if (found.values[i].middle.high < -found.radii[i]) return true;
+      const double lambda = found.values[i].middle.high;
+      if (lambda < -found.radii[i]) return Minimum::none;
+      if (lambda > found.radii[i]) ++positive;
     }
-    return false;
+    const auto is_rigid = [](const Mode& mode) { return mode.kind == ModeKind::rigid; };
+    const auto rigid = static_cast<std::size_t>(std::ranges::count_if(result_.modes, is_rigid));
+    return positive + rigid == total() ? Minimum::proven : Minimum::unknown;
   }
 
   const Dynamics& dynamics_;

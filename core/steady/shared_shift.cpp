@@ -80,10 +80,10 @@ std::vector<std::size_t> shared_shift(const Scene& scene, const SteadyProblem& p
   return {};
 }
 
-WrittenShift shift_in_ratio(const SteadyProblem& problem) {
+WrittenChange shift_in_ratio(const SteadyProblem& problem) {
   const std::vector<std::size_t>& unknowns = problem.forces->unknowns;
   if (problem.forces->smooth.kinks() > 0 || unknowns.size() < 2 || !may_have_shift(problem)) return {};
-  for (WrittenShift& shift : symmetric_shifts(*problem.statics)) {
+  for (WrittenChange& shift : symmetric_shifts(*problem.statics)) {
     const bool is_of_unknowns = std::ranges::any_of(
         shift, [&](const auto& each) { return std::ranges::find(unknowns, each.first) != unknowns.end(); });
     if (is_of_unknowns) return std::move(shift);

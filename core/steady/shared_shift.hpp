@@ -19,6 +19,6 @@ namespace qdot {
 /// What may be added to coordinates in a ratio of their own, by place in x: n to one while 1 to another.
 /// Empty where no such thing was found, and where no force has to do with any of them; of scenes whose forces
 /// are a potential's and have no kinks.
-[[nodiscard]] WrittenShift shift_in_ratio(const SteadyProblem& problem);
+[[nodiscard]] WrittenChange shift_in_ratio(const SteadyProblem& problem);
 
 }  // namespace qdot

@@ -64,6 +64,25 @@ std::optional<SymmetrySearch> searched(const Statics& statics) {
   }
 }
 
+enum class Moves { all_places_alike, by_place };
+
+std::vector<WrittenChange> written_changes(const Statics& statics, Moves asked) {
+  std::vector<WrittenChange> result;
+  const std::optional<SymmetrySearch> search = searched(statics);
+  if (!search) return result;
+  const std::vector<Expression>& x = search->lagrangian.symbols.coordinates.value;
+  for (const Symmetry& symmetry : search->found) {
+    const std::vector<Expression>& shift = symmetry.change.shift;
+    const bool by_place = std::ranges::any_of(shift, [&](const Expression& e) { return depends_on(e, x); });
+    if (by_place != (asked == Moves::by_place)) continue;
+    WrittenChange& written = result.emplace_back();
+    for (std::size_t i = 0; i < shift.size(); ++i) {
+      if (!shift[i].is_zero()) written.emplace_back(i, print(shift[i], Form::text));
+    }
+  }
+  return result;
+}
+
 }  // namespace
 
 std::optional<CompiledFunction> symmetric_changes(const Statics& statics) {
@@ -75,20 +94,12 @@ std::optional<CompiledFunction> symmetric_changes(const Statics& statics) {
   return compiled_at_rest(statics.reduction, *search->lagrangian.graph, changes);
 }
 
-std::vector<WrittenShift> symmetric_shifts(const Statics& statics) {
-  std::vector<WrittenShift> result;
-  const std::optional<SymmetrySearch> search = searched(statics);
-  if (!search) return result;
-  const std::vector<Expression>& x = search->lagrangian.symbols.coordinates.value;
-  for (const Symmetry& symmetry : search->found) {
-    const std::vector<Expression>& shift = symmetry.change.shift;
-    if (std::ranges::any_of(shift, [&](const Expression& e) { return depends_on(e, x); })) continue;
-    WrittenShift& written = result.emplace_back();
-    for (std::size_t i = 0; i < shift.size(); ++i) {
-      if (!shift[i].is_zero()) written.emplace_back(i, print(shift[i], Form::text));
-    }
-  }
-  return result;
+std::vector<WrittenChange> symmetric_shifts(const Statics& statics) {
+  return written_changes(statics, Moves::all_places_alike);
+}
+
+std::vector<WrittenChange> symmetric_turns(const Statics& statics) {
+  return written_changes(statics, Moves::by_place);
 }
 
 }  // namespace qdot

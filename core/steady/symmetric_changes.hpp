@@ -21,10 +21,12 @@ namespace qdot {
 /// the search grows too large.
 [[nodiscard]] std::optional<CompiledFunction> symmetric_changes(const Statics& statics);
 
-/// The place in x of each coordinate that moves, and how far, written in the parameters.
-using WrittenShift = std::vector<std::pair<std::size_t, std::string>>;
+/// The place in x of each coordinate that moves, and how far, written in the parameters and the coordinates.
+using WrittenChange = std::vector<std::pair<std::size_t, std::string>>;
 
-/// Those among them that move every place by the same, as geared shafts that turn together.
-[[nodiscard]] std::vector<WrittenShift> symmetric_shifts(const Statics& statics);
+/// Those among them that move every place by the same, as geared shafts that turn together; and the others,
+/// as a turn about a place.
+[[nodiscard]] std::vector<WrittenChange> symmetric_shifts(const Statics& statics);
+[[nodiscard]] std::vector<WrittenChange> symmetric_turns(const Statics& statics);
 
 }  // namespace qdot

@@ -96,6 +96,9 @@ std::vector<Vector> places_of_bodies(const ParsedScene& scene, const Lagrangian&
   };
   for (const ParsedBody& body : scene.bodies) {
     for (const Vector& mark : body.marks) add(mark);
+    if (!body.angle) continue;
+    const Expression angle = graph.adopt(*body.angle);
+    add({graph.adopt(body.centre[0]) + cos(angle), graph.adopt(body.centre[1]) + sin(angle)});
   }
   return places;
 }

@@ -17,8 +17,8 @@ struct MotionInSpace {
   bool reversed{false};
 };
 
-/// The places of a scene's bodies with `replacements` put in, in the Lagrangian's graph, a copy of the
-/// scene's.
+/// The places of a scene's bodies, and where those point that turn in the plane, with `replacements` put in,
+/// in the Lagrangian's graph, a copy of the scene's.
 [[nodiscard]] std::vector<Vector> places_of_bodies(const ParsedScene& scene, const Lagrangian& lagrangian,
                                                    std::span<const Replacement> replacements);
 

@@ -10,7 +10,7 @@ import unittest
 
 sys.path.append(str(pathlib.Path(__file__).resolve().parents[1] / "support"))
 from service import Service, reference_cases, textbook_scene  # noqa: E402
-from short_scene import G, particle, scene  # noqa: E402
+from short_scene import G, lagrangian, particle, scene  # noqa: E402
 
 PROMISED = 1e-12  # relative
 ROUND_OFF = 1e-15  # what a stated error may be of its value
@@ -215,6 +215,34 @@ class Modes(Service):
         self.assertTrue(found["equilibrium"]["reason"])
         self.assertEqual(found["modes"][0]["kind"], "neutral")
         self.assertGreater(found["modes"][0]["error"], 1)
+
+    def test_a_kinetic_energy_of_two_signs_proves_nothing_stable(self):
+        """Cherry's oscillators of opposite signs, whose frequencies are as 1 to 2, leave every neighbourhood of rest.
+        Source: Whittaker, Analytical Dynamics, 182."""
+        two = lagrangian("cherry", "e - 0.3", "x - 0.05; y - 0.05", "(x_dot^2 - x^2)/2 - (y_dot^2 - 4*y^2)/2 - e*x^2*y")
+        for scene_of_two in (two, two | {"lagrangian": two["lagrangian"] + " + x*y_dot/4 - y*x_dot/4"}):
+            found = self.modes(scene_of_two)
+            self.assertEqual([mode["kind"] for mode in found["modes"]], ["oscillation"]*2)
+            self.assertEqual(found["equilibrium"]["stability"], "neutral")
+            self.assertIn("two signs", found["equilibrium"]["nonlinear"])
+            listed = self.ask("equilibria", {"system": scene_of_two})["equilibria"]
+            at_rest = [place for place in listed if place["state"]["x"] == place["state"]["y"] == 0]
+            self.assertEqual([place["stability"] for place in at_rest], ["neutral"])
+            self.assertEqual(at_rest[0]["nonlinear"], found["equilibrium"]["nonlinear"])
+        run = self.ask("simulate", {"system": two, "t_end": 240, "samples": 2})
+        self.assertGreater(abs(run["trajectory"]["x"][-1]), 20*0.05)
+
+    def test_linear_equations_of_two_signs_are_decided_by_their_frequencies_alone(self):
+        line = "x_dot^2/2 - y_dot^2/2 - x^2/2 + w^2*y^2/2 - e*x*y"
+        found = self.modes(lagrangian("opposite", "w - 2; e - 0.3", "x -; y -", line))
+        self.assertEqual(found["equilibrium"]["stability"], "stable")
+        self.assertEqual(self.modes(lagrangian("opposite", "w - 1; e - 0.3", "x -; y -", line))["equilibrium"]["stability"], "unstable")
+        found = self.modes(lagrangian("opposite", "w - 1", "x -; y -", "x_dot^2/2 - y_dot^2/2 - x^2/2 + w^2*y^2/2"))
+        self.assertEqual(found["equilibrium"]["stability"], "neutral")
+
+    def test_a_kinetic_energy_of_one_sign_does_not_mind_which(self):
+        turned = self.modes(lagrangian("turned", "", "x -; y -", "-(x_dot^2 + y_dot^2 - x^2 - 4*y^2 + x^2*y)/2"))
+        self.assertEqual(turned["equilibrium"]["stability"], "stable")
 
 
 if __name__ == "__main__":

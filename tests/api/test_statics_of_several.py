@@ -148,6 +148,16 @@ class Families(Service):
             self.assertEqual((found["equilibria"], found["complete"]), ([], False))
             self.assertIn(f"The small change {told} changes no force", found["reason"])
 
+    def test_what_turns_about_a_place_is_a_family(self):
+        for told, around in (("dx = -y and dy = x", "x^2 + y^2"), ("dx = 1 - y and dy = x", "x^2 + (y - 1)^2")):
+            hat = lagrangian("hat", "a - 1.3", "x - 0.3; y - 0.2", f"(x_dot^2 + y_dot^2)/2 + a*({around})/2 - ({around})^2/4")
+            found = self.ask("equilibria", {"system": hat})
+            self.assertFalse(found["complete"])
+            self.assertIn(f"The small change {told} leaves the potential as it is", found["reason"])
+        well = lagrangian("well", "", "x - 0.3; y - 0.2", "(x_dot^2 + y_dot^2)/2 - (x^2 + y^2)/2 - (x^2 + y^2)^2/4")
+        found = self.ask("equilibria", {"system": well})
+        self.assertEqual((len(found["equilibria"]), found["complete"]), (1, True))
+
     def test_what_turns_together_under_balanced_torques_is_a_family(self):
         gears = lagrangian("gears", "k - 10; n - 3", "a - 0.1; b - 0.2", "a_dot^2/2 + b_dot^2 - k*(a - n*b)^2/2",
                            forces=[{"along": "a", "value": "2"}, {"along": "b", "value": "-2*n"}])

@@ -216,6 +216,19 @@ class Named(unittest.TestCase):
         friction = conserved({**plane, "dissipation": "k/2*1*(x_dot^2 + y_dot^2)*sqrt(l/g)"})
         self.assertNotIn("angular_momentum", friction)
 
+    def test_what_rolls_is_turned_when_it_is_moved(self):
+        """Rolling cart and block: what is constant is not their momentum, 3/2 M counts the turning disk."""
+        wheel = {"kind": "disk", "mass": "m", "centre": ["x", "l"], "radius": "l", "angle": "-x/l"}
+        cart = bodies({"x": "m", "y": "m"}, [["y", "l"]], springs=[{"stiffness": "k", "length": "y - x", "rest_length": "l"}])
+        rolling = conserved({**cart, "bodies": [wheel, *cart["bodies"]]})
+        self.assertEqual(rolling["momentum_x_y"]["why"], "Adding the same to x and y changes nothing, so p_x + p_y is constant.")
+        self.assertFalse(any("whole system" in one["why"] for one in rolling.values()), rolling)
+        sliding = conserved({**cart, "bodies": [{**wheel, "angle": "0"}, *cart["bodies"]]})
+        self.assertIn("Moving the whole system along x", sliding["momentum_x"]["why"])
+        around = conserved({**bodies({"x": "m", "y": "m", "a": "rad"}, [["x", "y"]]),
+                            "bodies": [{**wheel, "centre": ["x", "y"], "angle": "a"}], "potential": "k*(x^2 + y^2)"})
+        self.assertEqual(around["angular_momentum_x_y"]["why"], "The rotation dx = -y and dy = x changes nothing, so x*p_y - y*p_x is constant.")
+
     def test_the_practice_sheet_keeps_what_it_kept(self):
         (line,) = asked([{"equations": {"system": "whirling_pendulum"}}])
         self.assertEqual([one["name"] for one in line["answer"]["conserved"]], ["h"])

@@ -2,6 +2,7 @@
 
 import math
 import pathlib
+import re
 import sys
 import unittest
 
@@ -42,6 +43,28 @@ def on_curve(curve, x, y):
 
 
 class TrueReasons(Service):
+    def test_factors_that_no_answer_needs_refuse_none(self):
+        """A full mass matrix: whether its entries divide an equation takes numbers of thousands of digits to find out."""
+        for b, a, d in (("2/5", "9/10", "1/4"), ("2", "9", "4")):
+            u, v, w = f"-a + {b}*b + p*d", f"{a}*a + b + {d}*d", "-2*a - 1/2*b + d"
+            dot = ["(" + re.sub("([abd])", r"\1_dot", form) + ")" for form in (u, v, w)]
+            full = {"name": "full", "units": "none", "coordinates": [{"name": q, "initial": "0.1"} for q in "abd"],
+                    "parameters": [{"name": n, "default": x} for n, x in (("m", "1.3"), ("M", "2.1"), ("k", "0.8"), ("c", "0.6"), ("p", "1.7"))],
+                    "lagrangian": f"m*({dot[0]}^2 + {dot[1]}^2)/2 + M*{dot[2]}^2/2 - k*cos(({u})^2 + ({v})^2) - c*({w})^3"}
+            with self.subTest(a=a):
+                run = self.ask("simulate", {"system": full, "t_end": 1})
+                self.assertLess(run["diagnostics"]["conserved"][0]["max_rel_drift"], 1e-9)
+                self.ask("energy", {"system": full})
+                self.ask("modes", {"system": full})
+
+    def test_a_coordinate_that_is_nowhere_is_named(self):
+        """Beside terms that are kept as they are written, too."""
+        for potential in ("a^2", "cos((p*a + p*b)^2 + 25/16*b^2)"):
+            idle = {"name": "idle", "units": "none", "coordinates": [{"name": q, "initial": "0.1"} for q in "abd"],
+                    "parameters": [{"name": "p", "default": "1.7"}], "lagrangian": f"(a_dot^2 + b_dot^2)/2 - {potential}"}
+            (error,) = self.refused("simulate", {"system": idle, "t_end": 1})["errors"]
+            self.assertEqual((error["pointer"], error["code"]), ("#/system/coordinates/2", "no_inertia"))
+
     def test_where_nothing_obeys_a_constraint_no_forces_are_spoken_of_alone(self):
         found = self.ask("equilibria", {"system": on_curve("x^2 + y^2 + 1", "1", "0")})
         self.assertEqual((found["equilibria"], found["complete"]), ([], True))
