@@ -21,7 +21,7 @@ constexpr double at_begin = 0.25;    ///< of what acts all through a step
 constexpr double much_growth = 2, most_late = 0.75, log_of_2 = 0.7;
 constexpr double enlarged = 0x1p-30;
 constexpr double most_of_enlarging = 0x1p900;  ///< of what is less than a normal double, too
-constexpr double most_of_all = 1e300;  ///< instead of an error without a bound
+constexpr double most_of_all = 1e300;          ///< instead of an error without a bound
 
 /// y - e, and not y itself, where nothing would be rounded otherwise.
 double beside(double y, double e) {
