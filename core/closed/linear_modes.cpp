@@ -6,6 +6,7 @@
 #include "core/closed/characteristic_roots.hpp"
 #include "core/closed/equal_parts.hpp"
 #include "core/closed/joined_numbers.hpp"
+#include "core/expr/simplify.hpp"
 
 namespace qdot {
 namespace {
@@ -24,7 +25,7 @@ class Pair {
     return d_[i_][i_].is_zero() && d_[j_][j_].is_zero() && mixed(m_).is_zero() && mixed(k_).is_zero();
   }
 
-  [[nodiscard]] std::vector<LinearMode> modes() const {
+  [[nodiscard]] std::vector<LinearMode> modes(Graph& graph) const {
     const RationalFunction a = m_[i_][i_] * m_[j_][j_] - m_[i_][j_] * m_[j_][i_];
     const RationalFunction gyroscopic = d_[i_][j_] * d_[j_][i_];
     const RationalFunction b = m_[i_][j_] * k_[j_][i_] + m_[j_][i_] * k_[i_][j_] - m_[i_][i_] * k_[j_][j_] -
@@ -33,7 +34,8 @@ class Pair {
     std::vector<LinearMode> found;
     for (Surd& lambda : quadratic_roots(a, b, c)) {
       std::vector<Surd> shape = gyroscopic.is_zero() ? shape_of(lambda) : std::vector<Surd>{};
-      found.push_back({std::move(lambda), std::move(shape), {i_, j_}, {}});
+      const auto root = gyroscopic.is_zero() ? root_by_entries(graph, lambda) : std::nullopt;
+      found.push_back({std::move(lambda), std::move(shape), {i_, j_}, {}, root});
     }
     return found;
   }
@@ -41,6 +43,19 @@ class Pair {
  private:
   [[nodiscard]] Surd entry(std::size_t i, std::size_t j, const Surd& lambda) const {
     return Surd(k_[i][j]) - lambda * Surd(m_[i][j]);
+  }
+  [[nodiscard]] std::optional<Expression> root_by_entries(Graph& graph, const Surd& lambda) const {
+    if (lambda.is_rational() || !m_[i_][j_].is_zero() || !m_[j_][i_].is_zero()) return std::nullopt;
+    const RationalFunction apart = k_[i_][i_] * m_[j_][j_] - k_[j_][j_] * m_[i_][i_], &coupling = k_[i_][j_];
+    const RationalFunction four{{{Monomial{}, Number(4)}}}, masses = four * m_[i_][i_] * m_[j_][j_];
+    const Surd share =
+        square_root((apart * apart + masses * coupling * coupling) / RationalFunction{lambda.n});
+    const auto written = [&](const RationalFunction& f) { return simplify(to_expression(graph, f)); };
+    const Expression factor = written(share.p);
+    if (!share.is_rational() || factor.number() == nullptr) return std::nullopt;
+    const Number by = Number(1) / *factor.number();
+    return (by.is_negative() ? -by : by) *
+           sqrt(pow(written(apart), Number(2)) + written(masses) * pow(written(coupling), Number(2)));
   }
   /// (1, y) from the first equation that tells y, else (0, 1).
   [[nodiscard]] std::vector<Surd> shape_of(const Surd& lambda) const {
@@ -78,7 +93,7 @@ std::vector<LinearMode> modes_of_several(Graph& graph, const LinearMatrices& mat
 std::vector<LinearMode> undamped_modes(Graph& graph, const LinearMatrices& matrices,
                                        const std::vector<std::size_t>& group) {
   if (group.size() > 2) return modes_of_several(graph, matrices, group);
-  if (group.size() == 2) return Pair(matrices, group[0], group[1]).modes();
+  if (group.size() == 2) return Pair(matrices, group[0], group[1]).modes(graph);
   const std::size_t i = group[0];
   LinearMode mode{
       matrices.stiffness[i][i] / matrices.mass[i][i], std::vector<Surd>(matrices.mass.size()), group, {}};
@@ -129,7 +144,7 @@ std::vector<LinearMode> modes_of(Graph& graph, const LinearMatrices& matrices,
   if (!is_damped(matrices, group)) return undamped_modes(graph, matrices, group);
   if (group.size() == 2) {
     const Pair pair(matrices, group[0], group[1]);
-    if (pair.is_even()) return pair.modes();
+    if (pair.is_even()) return pair.modes(graph);
   }
   return damped_modes(graph, matrices, group);
 }
@@ -175,6 +190,15 @@ std::vector<LinearMode> modes_at(const LinearMotions& motions, const ExactPlace&
     }
   }
   return found;
+}
+
+Expression shortest_root(Graph& graph, std::span<const LinearMode> modes, const Polynomial& n) {
+  Expression best = root_form(graph, n);
+  for (const LinearMode& mode : modes) {
+    if (mode.root && mode.lambda.n == n && written_length(*mode.root) < written_length(best))
+      best = *mode.root;
+  }
+  return best;
 }
 
 }  // namespace qdot

@@ -234,7 +234,7 @@ std::optional<ModeForms> ModeDerivation::creeping(const Expression& decay) {
 Expression ModeDerivation::root_of(const Polynomial& n) {
   const auto found = std::ranges::find(roots_, n, &std::pair<Polynomial, Expression>::first);
   if (found != roots_.end()) return found->second;
-  roots_.emplace_back(n, root_form(graph_, n));
+  roots_.emplace_back(n, shortest_root(graph_, modes_, n));
   return roots_.back().second;
 }
 

@@ -65,6 +65,21 @@ class BalancedPlaces(Service):
                 self.assertIn("omega", mode["exact"])
                 self.assertAlmostEqual(mode["omega"] ** 2, float(value(by_hand)), delta=1e-13 * mode["omega"] ** 2)
 
+    def test_bounce_and_pitch_of_a_car(self):
+        """Thomson and Dahleh, Theory of Vibration with Applications, 5.3: two coordinates coupled by their springs."""
+        car = lagrangian("car", "m - 1000; J - 1500; k1 - 20000; k2 - 22000; a - 1.2; b - 1.5", "y - 0; th - 0",
+                         "m*y_dot^2/2 + J*th_dot^2/2 - k1*(y - a*th)^2/2 - k2*(y + b*th)^2/2")
+        modes = self.ask("modes", {"system": car})["modes"]
+        own = "k1*(J + m*a^2)", "k2*(J + m*b^2)"
+        root = "sqrt((k1*(J - m*a^2) + k2*(J - m*b^2))^2 + 4*m*J*(k2*b - k1*a)^2)"
+        self.assertEqual([mode["exact"]["text"] for mode in modes],
+                         [f"({own[0]} - {root} + {own[1]})/(2*m*J)", f"({root} + {own[0]} + {own[1]})/(2*m*J)"])
+        K = mpmath.matrix([[42000, 22000*mpmath.mpf("1.5") - 24000], [9000, 20000*mpmath.mpf("1.44") + 22000*mpmath.mpf("2.25")]])
+        half = (K[0, 0]/1000 + K[1, 1]/1500)/2
+        apart = mpmath.sqrt((K[0, 0]/1000 - K[1, 1]/1500)**2/4 + K[0, 1]**2/1500000)
+        for mode, square in zip(modes, (half - apart, half + apart)):
+            self.assertLessEqual(abs(mode["omega"] - mpmath.sqrt(square)), mode["error"] + 1e-15)
+
     def test_charges_at_both_ends_of_a_wire(self):
         wire = lagrangian("charges", "m - 1; k1 - 1; k2 - 2; d - 1", "x - 0.4", "m*x_dot^2/2 - k1/x - k2/(d - x)")
         found = self.ask("modes", {"system": wire, "equilibrium": {"x": 0.4}})
