@@ -65,12 +65,9 @@ class SolutionForms {
       result[i].value = best[i].form();
       if (!result[i].value) continue;
       const auto& [u, relations] = best[i].chosen();
-      const auto& rate2 = found_.values[i].stability.rate2;
-      const auto square = rate2 && rate2->is_finite() ? square_of_rate(*rate2, u, relations) : std::nullopt;
       assume(*result[i].value, signs_needed(u, relations));
-      if (!square) continue;
-      result[i].rate2 = closed_form(values_, *square, relations, places_);
-      if (result[i].rate2) assume(*result[i].rate2, signs_needed(u, relations, *square));
+      const auto& rate2 = found_.values[i].stability.rate2;
+      if (rate2 && rate2->is_finite()) result[i].rate2 = form_of_rate(*rate2, u, relations);
     }
     return result;
   }
@@ -150,6 +147,18 @@ class SolutionForms {
     Trial trial = trial_at(u, relations);
     trial.vanishes({k, -(m * forms[0])});
     return trial.passes() ? std::optional(forms[0]) : std::nullopt;
+  }
+
+  [[nodiscard]] std::optional<ClosedForm> form_of_rate(const Interval& rate2, const Expression& u,
+                                                       const Relations& relations) const {
+    try {
+      const auto square = square_of_rate(rate2, u, relations);
+      auto form = square ? closed_form(values_, *square, relations, places_) : std::nullopt;
+      if (form) assume(*form, signs_needed(u, relations, *square));
+      return form;
+    } catch (const Error&) {  // the algebra grows too large, where that of the value does not
+      return std::nullopt;
+    }
   }
 
   /// For the forces to vanish at any position, and for the square of the rate there to be this.

@@ -59,27 +59,6 @@ bool jumps_at(const Unfolded& pieces, std::size_t k) {
   });
 }
 
-/// Without the kinks that cancel, as those of sqrt(x^2) - abs(x) do: no side matters there.
-void leave_out_cancelled(Unfolded& pieces) {
-  const auto matters = [&](const Expression& side) {
-    const auto holds_it = [&](const Expression& e) {
-      return depends_on(e, side) && depends_on(simplify(e), side);
-    };
-    return std::ranges::any_of(pieces.smooth, holds_it) || std::ranges::any_of(pieces.arguments, holds_it);
-  };
-  for (std::size_t k = pieces.sides.size(); k-- > 0;) {
-    const Expression side = pieces.sides[k];
-    if (matters(side)) continue;
-    const std::vector<Replacement> any_side{{side, side.graph().number(1)}};
-    for (auto* expressions : {&pieces.smooth, &pieces.arguments})
-      for (Expression& e : *expressions)
-        if (depends_on(e, side)) e = substitute(e, any_side);
-    const auto place = static_cast<std::ptrdiff_t>(k);
-    for (auto* of_kinks : {&pieces.arguments, &pieces.short_forms, &pieces.sides})
-      of_kinks->erase(of_kinks->begin() + place);
-  }
-}
-
 }  // namespace
 
 SmoothForces derive_smooth_forces(const Reduction& reduction, Graph& graph, std::span<const Expression> rest,
@@ -88,7 +67,6 @@ SmoothForces derive_smooth_forces(const Reduction& reduction, Graph& graph, std:
   for (const Expression& c : reduction.constants) constants.push_back(graph.adopt(c));
   for (const Expression& symbol : reduction.x) x.push_back(graph.adopt(symbol));
   Unfolded pieces = unfolded(rest, x);
-  leave_out_cancelled(pieces);
   std::vector<Expression> forces;
   std::ranges::copy_if(pieces.smooth, std::back_inserter(forces),
                        [](const Expression& g) { return !g.is_zero(); });
