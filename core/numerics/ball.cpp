@@ -161,8 +161,17 @@ Ball operator+(const Ball& a, const Ball& b) {
 
 Ball operator-(const Ball& a) { return {-a.middle, a.radius}; }
 
+namespace {
+
+/// 1 or -1, exactly.
+bool is_unit(const Ball& a) { return std::abs(a.middle.high) == 1 && a.middle.low == 0 && a.radius == 0; }
+
+}  // namespace
+
 Ball operator*(const Ball& a, const Ball& b) {
   if (a.is_zero() || b.is_zero()) return a.is_finite() && b.is_finite() ? Ball() : Ball({}, infinity);
+  if (is_unit(a)) return a.middle.high < 0 ? -b : b;  // nothing is rounded
+  if (is_unit(b)) return b.middle.high < 0 ? -a : a;
   const double radius = (std::abs(a.middle.high) + a.radius) * b.radius + std::abs(b.middle.high) * a.radius;
   return rounded(a.middle * b.middle, slightly_above(radius));
 }
