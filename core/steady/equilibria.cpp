@@ -275,7 +275,7 @@ class RegionSearch {
   void give_up_at_pole(const Box& box) {
     incomplete(
         place_named(scene(), problem_, box) +
-        " is a singularity: forces have no value there, and next to it none that tells whether they vanish.");
+        " is a singularity: forces have no value there, and no bound of them next to it tells whether they vanish.");
   }
 
   void add_within_domain(FoundPlace place) {
