@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "core/compile/tape_builder.hpp"
 #include "core/compile/tape_evaluator.hpp"
@@ -28,14 +29,7 @@ class UnknownSearch {
     const Domain& domain = problem_.domain;
     Interval region{std::max(domain.lower, -largest_length), std::min(domain.upper, largest_length)};
     const std::vector<HalfLine> ends = half_lines(problem_, graph_, k_);
-    const HalfLine *first = nullptr, *last = nullptr;
-    for (const HalfLine& line : ends) {
-      const bool is_first = line.direction > 0;
-      const HalfLine*& end = is_first ? first : last;
-      const bool is_inner = end == nullptr || (is_first ? line.place.lower > end->place.lower
-                                                        : line.place.upper < end->place.upper);
-      if (is_inner) end = &line;
-    }
+    const HalfLine *first = inner_end(ends, 1), *last = inner_end(ends, -1);
     if (first != nullptr) region.lower = std::max(region.lower, first->place.lower);
     if (last != nullptr) region.upper = std::min(region.upper, last->place.upper);
     if (is_empty(region)) return none();
@@ -50,6 +44,17 @@ class UnknownSearch {
 
  private:
   [[nodiscard]] static Candidates none() { return {Obstacle::none_in_domain, {}, "", 0}; }
+
+  /// Of the half-lines to that side the one that holds the fewest values.
+  [[nodiscard]] static const HalfLine* inner_end(std::span<const HalfLine> ends, int direction) {
+    const HalfLine* inner = nullptr;
+    for (const HalfLine& line : ends) {
+      if (line.direction != direction) continue;
+      if (inner == nullptr || direction * line.place.middle() > direction * inner->place.middle())
+        inner = &line;
+    }
+    return inner;
+  }
 
   [[nodiscard]] Isolation zeros(const CompiledFunction& value, const CompiledFunction& slope,
                                 std::size_t output, const Interval& region) const {
@@ -71,7 +76,7 @@ class UnknownSearch {
     const Isolation isolation = zeros(polynomial_.values, polynomial_.derivatives, k_, region);
     take(isolation, [&](const IsolatedZero& zero) {
       const Interval u = zero.enclosure[0];
-      return BalancingValue{polynomial_.u_turns ? reduced_angle(u) : u, zero.simple};
+      return std::optional(BalancingValue{polynomial_.u_turns ? reduced_angle(u) : u, zero.simple});
     });
   }
 
@@ -86,10 +91,11 @@ class UnknownSearch {
     const bool is_zero_at_end = simplify(substitute(e, {&end, 1})).is_zero();
     const Isolation isolation = zeros(value, slope, 0, {0, std::sqrt(reach.upper) * (1 + 1e-15)});
     take(isolation, [&](const IsolatedZero& zero) {
-      const Interval at = zero.enclosure[0];
+      const Interval at = intersection(zero.enclosure[0], {0, infinity});
+      if (is_empty(at)) return std::optional<BalancingValue>();
       const bool is_told = is_zero_at_end || at.lower > 0;
-      const Interval apart = qdot::square(intersection(at, {0, infinity}));
-      return BalancingValue{line.place + Interval(line.direction) * apart, zero.simple && is_told};
+      const Interval u = line.place + Interval(line.direction) * qdot::square(at);
+      return std::optional(BalancingValue{u, zero.simple && is_told});
     });
   }
 
@@ -126,11 +132,11 @@ class UnknownSearch {
     if (!isolation.complete || !isolation.undecided.empty()) is_told_ = false;
     if (has_other_ends_ && !isolation.poles.empty()) is_told_ = false;
     for (const IsolatedZero& zero : isolation.zeros) {
-      const BalancingValue value = value_of(zero);
+      const std::optional<BalancingValue> value = value_of(zero);
       const auto is_same = [&](const BalancingValue& other) {
-        return !is_empty(intersection(other.u, value.u));
+        return !is_empty(intersection(other.u, value->u));
       };
-      if (std::ranges::none_of(found_.values, is_same)) found_.values.push_back(value);
+      if (value && std::ranges::none_of(found_.values, is_same)) found_.values.push_back(*value);
     }
   }
 
