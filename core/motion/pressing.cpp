@@ -36,10 +36,11 @@ double pressing(const Watch& watch, const SectionRecord& impact, const MotionSec
       return watch.value(impact.t + tau, moved(y, accelerations, tau)) +
              watch.value(impact.t - tau, moved(y, accelerations, -tau)) - 2 * g;
     };
-    const double change = change_by(now);
-    if (!(std::abs(change) > roundings_of_look * watch.own_rounding(impact.t, y))) continue;
+    const double seen = roundings_of_look * watch.own_rounding(impact.t, y);
     const std::vector<double> soon = sections.slopes(impact.t + tau, moved(y, std::span(now).last(n), tau));
-    const double press = inside * change, press_soon = inside * change_by(soon);
+    const double press = inside * change_by(now), press_soon = inside * change_by(soon);
+    if (!(std::abs(press) > seen) && !(std::abs(press_soon) > seen)) continue;
+    if (!(std::abs(press) > seen)) return press_soon / (tau * tau);  // it grows from nothing
     if (press * press_soon <= 0) return 0;
     return (std::abs(press) < std::abs(press_soon) ? press : press_soon) / (tau * tau);
   }

@@ -10,8 +10,8 @@
 namespace qdot {
 
 /// The acceleration |g''| towards the surface of a falling or rising distance g, the smaller one by the
-/// forces of then and of soon; below zero where both lift, 0 where one does, or none is seen within half the
-/// motion's `span`.
+/// forces of then and of soon; that of soon where nothing presses then; below zero where both lift, 0 where
+/// one does, or none is seen within half the motion's `span`.
 [[nodiscard]] double pressing(const Watch& watch, const SectionRecord& impact, const MotionSections& sections,
                               double span);
 

@@ -31,6 +31,7 @@ std::optional<Interval> ForceAlongLine::slope(const Interval& x) {
   x_[unknown_] = x;
   if (kinks_ > 0) arguments_(x_, u_);
   if (std::ranges::any_of(u_, [](const Interval& u) { return u.contains(0.0); })) return std::nullopt;
+  if (!force(x).is_finite()) return std::nullopt;
   stiffness_(std::span(x_).first(unknowns_), k_);
   return k_[unknown_ * unknowns_ + unknown_];
 }

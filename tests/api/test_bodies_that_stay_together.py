@@ -36,6 +36,22 @@ class BodiesThatStayTogether(Service):
                 if happens:
                     self.assertLessEqual(abs(answer["events"][0]["t"] - met), answer["events"][0]["error"])
 
+    def test_bodies_that_are_pressed_only_after_the_impact_do_not_run_through_each_other(self):
+        """A bullet and a block that its spring holds at rest: nothing presses at the instant itself."""
+        for potential, is_pressed in (("5*(b - 1)^2", True), ("2*(b - 1)^4", True), ("3*(b - 1)^3", True), ("0*b", False),
+                                      ("-5*(b - 1)^2", False)):
+            scene = {"name": "bullet", "units": "none", "lagrangian": f"a_dot^2/2 + b_dot^2 - ({potential})",
+                     "coordinates": [{"name": "a", "initial": "0", "initial_rate": "3"}, {"name": "b", "initial": "1"}],
+                     "events": [{"name": "c", "expression": "b - a", "direction": "falling"}],
+                     "impacts": [{"event": "c", "restitution": "0"}]}
+            with self.subTest(potential=potential):
+                answer = self.ask("simulate", {"system": scene, "t_end": 0.8, "samples": 5, "events": ["c"]})
+                self.assertEqual(len(answer["events"]), 1)
+                self.assertEqual(answer["status"], "stopped" if is_pressed else "complete")
+                rows = answer["trajectory"]
+                for a, b in zip(rows["a"], rows["b"]):
+                    self.assertGreater(b - a, -1e-12)
+
     def test_a_ball_lands_once_on_a_floor_that_moves_on(self):
         for speed in ("0.5", "-0.3", "0", "1.25"):
             scene = {"name": "lift", "units": "none", "lagrangian": "y_dot^2/2 - 9.81*y", "coordinates": [{"name": "y", "initial": "1"}],

@@ -79,6 +79,11 @@ class Downhill(Service):
             self.assert_rest(particle("x_dot^2/2 - (cos(x) + 0.1*x)", x=start), {"x": -pi - asin(mpf(1)/10)})
         self.assert_rest(particle("x_dot^2/2 - (cos(x) + 0.1*x)", x="0.101"), {"x": pi - asin(mpf(1)/10)})
 
+    def test_a_square_that_rounding_puts_below_zero_is_not_leapt_over(self):
+        """x^2 - 2 sqrt(2) x + 2 under a root is |x - sqrt(2)|: a crest, behind which another well lies."""
+        hill = "-1.3*sqrt(x^2 - 2*sqrt(2)*x + 2) + x^2/2 - 0.2*x"
+        self.assert_rest(particle(f"x_dot^2/2 - ({hill})", x="1.73"), {"x": 1.5})
+
     def test_random_waves_along_a_line(self):
         draw = random.Random(63)
         for _ in range(CASES):
