@@ -53,9 +53,9 @@ class Pair {
     const auto written = [&](const RationalFunction& f) { return simplify(to_expression(graph, f)); };
     const Expression factor = written(share.p);
     if (!share.is_rational() || factor.number() == nullptr) return std::nullopt;
-    const Number by = Number(1) / *factor.number();
-    return (by.is_negative() ? -by : by) *
-           sqrt(pow(written(apart), Number(2)) + written(masses) * pow(written(coupling), Number(2)));
+    const RationalFunction by{{{Monomial{}, Number(1) / *factor.number()}}};
+    return sqrt(pow(written(by * apart), Number(2)) +
+                written(masses) * pow(written(by * coupling), Number(2)));
   }
   /// (1, y) from the first equation that tells y, else (0, 1).
   [[nodiscard]] std::vector<Surd> shape_of(const Surd& lambda) const {
