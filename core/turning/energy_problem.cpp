@@ -4,6 +4,7 @@
 
 #include "core/base/error.hpp"
 #include "core/compile/tape_evaluator.hpp"
+#include "core/expr/linear.hpp"
 #include "core/expr/simplify.hpp"
 #include "core/mechanics/canonical.hpp"
 
@@ -63,9 +64,12 @@ std::string why_not_by_energy(const Dynamics& dynamics, const Reals& parameters,
   }
   const Reduction& reduction = statics->reduction;
   if (reduction.degrees_of_freedom() != 1) {
-    return reduction.ignored.size() < ignorable_coordinates(dynamics.model().lagrangian).size()
-               ? "the momentum of an ignorable coordinate is not linear in the velocities, and it stays"
-               : "more than one coordinate is left after the ignorable ones";
+    const std::size_t ignorable = ignorable_coordinates(dynamics.model().lagrangian).size();
+    if (reduction.ignored.size() == ignorable)
+      return "more than one coordinate is left after the ignorable ones";
+    return ignorable > largest_written_system
+               ? "there are more ignorable coordinates than can be eliminated by their momenta, which are three"
+               : "the momentum of an ignorable coordinate is not linear in the velocities, and it stays";
   }
   if (reduction.kept[0] != coordinate) return "the coordinate is ignorable";
   if (!reduction.limits.empty()) return "the energy of the coordinate vanishes with its equation";
