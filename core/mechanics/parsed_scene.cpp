@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <set>
 
+#include "core/expr/unfold.hpp"
 #include "core/mechanics/scene_text.hpp"
 #include "core/mechanics/sizes_in_forces.hpp"
 
@@ -215,8 +216,26 @@ class SceneParser {
     if (has_kinks(e)) {
       text_.complain(place, "not_applicable",
                      "A constraint has a slope everywhere: abs and sign cannot stand in it.");
+    } else if (has_corners(with_squares_under_roots(e, parsed_.symbols.coordinates.value))) {
+      text_.complain(
+          place, "not_applicable",
+          "A constraint has a slope everywhere: a root of a square, which is an abs, cannot stand in it.");
     }
     return {e, holonomic, {}};
+  }
+
+  /// Some |u| stands in it, and not in a power that has a slope where u = 0.
+  [[nodiscard]] bool has_corners(const Expression& e) const {
+    const Graph& graph = *parsed_.graph;
+    const auto is_size = [&](NodeId id) {
+      const auto* call = std::get_if<Call>(&graph.node(id));
+      return call != nullptr && call->function == Function::abs;
+    };
+    return is_size(e.id()) || std::ranges::any_of(reachable(graph, std::vector{e.id()}), [&](NodeId id) {
+             const auto* power = std::get_if<Power>(&graph.node(id));
+             if (power != nullptr && Number(1) < power->exponent) return false;
+             return std::ranges::any_of(children(graph.node(id)), is_size);
+           });
   }
 
   [[nodiscard]] bool has_kinks(const Expression& e) const {

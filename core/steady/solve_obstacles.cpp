@@ -35,8 +35,8 @@ std::string sentence(const Candidates& found, const std::string& u, const std::s
     case Obstacle::not_decided:
       return "The forces are too small, or vanish too often, to tell which " + u + " hold " + held + ".";
     case Obstacle::may_end:
-      return "The forces have values for a part of all " + u +
-             " only, and where that ends they may vanish: which " + u + " hold " + held + " was not told.";
+      return "The forces may have values for a part of all " + u +
+             " only, and vanish where that ends: which " + u + " hold " + held + " was not told.";
     case Obstacle::at_kink:
       return "An abs() or a sign() in the forces has its kink at " + at + ", or one that moves with " + u +
              ": forces have no single value there, and whole intervals of " + u + " may hold it.";

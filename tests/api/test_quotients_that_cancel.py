@@ -55,6 +55,13 @@ class QuotientsThatCancel(Service):
             truth = 1 - (2*(2.42 - 1 + 2.42**2/2) - 1)**0.5  # of (1 - x) + x^2/2 = E
             self.assertLessEqual(abs(answer["x_min"] - truth), answer["error"]["x_min"] + 4e-16)
 
+    def test_a_wire_with_a_corner_is_refused_however_it_is_written(self):
+        for corner in ("abs(x - 0.3)", "sqrt((x - 0.3)^2)", "sqrt(x^2 - 0.6*x + 0.09)", "2*sqrt(0.25*(x - 0.3)^2)"):
+            scene = {"name": "wire", "units": "none", "lagrangian": "x_dot^2/2 + y_dot^2/2 - 2*y",
+                     "coordinates": [{"name": "x", "initial": "0.8", "initial_rate": "-1"}, {"name": "y", "initial": "0.5", "initial_rate": "-1"}],
+                     "constraints": [{"name": "c", "expression": f"y - {corner}"}]}
+            self.refused_at("simulate", {"system": scene, "t_end": 1}, "#/system/constraints/0/expression")
+
 
 if __name__ == "__main__":
     unittest.main()
