@@ -86,7 +86,7 @@ class Unfolding {
 
   [[nodiscard]] bool is_even_power(NodeId id) const {
     const auto* power = std::get_if<Power>(&graph_.node(id));
-    return power != nullptr && (power->exponent * Number::ratio(1, 2)).is_integer();
+    return power != nullptr && is_even(power->exponent);
   }
 
   /// |u|^(p q) for the even power u^p.
@@ -257,8 +257,7 @@ class Unfolding {
       if (power == nullptr || !power->exponent.is_integer()) continue;
       const Expression base(graph_, power->base);
       if (std::ranges::find(result_.sides, base) == result_.sides.end()) continue;
-      const bool even = (power->exponent * Number::ratio(1, 2)).is_integer();
-      powers.emplace_back(Expression(graph_, id), even ? graph_.number(1) : base);
+      powers.emplace_back(Expression(graph_, id), is_even(power->exponent) ? graph_.number(1) : base);
     }
     return powers.empty() ? e : shortened(substitute(e, powers));
   }
