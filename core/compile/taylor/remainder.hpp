@@ -147,6 +147,7 @@ class Remainder {
   [[nodiscard]] double tail(const Row& a, const Row& b) const;
   [[nodiscard]] static double product_norm(const Row& a, const Row& b);
   [[nodiscard]] double tail_of_rate(const Row& rate, const Row& b) const;
+  [[nodiscard]] double hidden_by_rounding(const Row& divisor, double factor) const;
   /// By how much x is on the other side of zero than at s = 0.
   [[nodiscard]] double beyond_kink(const Row& x, double side) const;
   /// How far an argument moves from its value at s = 0, by its rate.

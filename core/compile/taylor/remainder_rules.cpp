@@ -15,6 +15,7 @@ namespace {
 constexpr double slack = 1 + 1e-9;
 constexpr double smallest_exponential = 1e-322;  ///< what is less may have become 0
 constexpr double rounding_of_one = 1.2e-16;      ///< z of a tanh that has become 1
+constexpr double near_zero = 0x1p-20;            ///< of the terms of what is divided by
 
 /// For what a function of a bound is rounded.
 Range widened(const Range& a) {
@@ -149,11 +150,20 @@ void Remainder::apply_rate(const Rule& rule) {
   }
 }
 
+/// What rounding may hide of a product with what is divided by: nothing that counts unless that comes near to
+/// zero. Then a row may belong to something else: 1 - s is the root of (1 - s)^2, and (1 - s)^2 + 1e-16
+/// rounds to that.
+double Remainder::hidden_by_rounding(const Row& divisor, double factor) const {
+  const bool is_near = divisor.of_value.least_magnitude() < near_zero * divisor.t0;
+  return is_near ? rounding_of_sums * divisor.t0 * factor : 0;
+}
+
 /// w = x/y: x - w_row y is what is left.
 void Remainder::apply_quotient(const Rule& rule) {
   const Row &x = rows_[rule.x], &y = rows_[rule.y];
   Row& out = rows_[rule.out];
-  const double left = tail(out, y) + x.own_top + x.r + out.of_row.magnitude() * y.r;
+  const double left =
+      tail(out, y) + x.own_top + x.r + out.of_row.magnitude() * y.r + hidden_by_rounding(y, out.t0);
   conclude(out, left / y.of_value.least_magnitude());
   if (effort_ == Effort::careful) meet(out, x.of_value / y.of_value);
 }
@@ -165,7 +175,7 @@ void Remainder::apply_power(const Rule& rule) {
   const double p = *rule.constant;
   if (!(u.of_value.lower > 0)) return conclude(out, infinity);
   const Range values = power(u.of_value, p);
-  const double residual = std::max(1.0, std::abs(p)) * tail(u, out);
+  const double residual = std::max(1.0, std::abs(p)) * (tail(u, out) + hidden_by_rounding(u, out.t0));
   const double slope = std::abs(p) * power(u.of_value, p - 1).upper;
   conclude(out, values.upper * residual / power(u.of_value, p + 1).lower + slope * u.r);
   if (effort_ == Effort::careful) meet(out, values);
@@ -176,7 +186,8 @@ void Remainder::apply_power(const Rule& rule) {
 void Remainder::apply_root(const Rule& rule) {
   const Row& u = rows_[rule.x];
   Row& out = rows_[rule.out];
-  const double d = u.r + u.own_top + tail(out, out), least = std::max(0.0, u.of_value.lower);
+  const double d = u.r + u.own_top + tail(out, out) + hidden_by_rounding(u, 1);
+  const double least = std::max(0.0, u.of_value.lower);
   double of_sum = 0;
   if (d <= least) of_sum = std::sqrt(least) + std::sqrt(least - d);
   if (out.of_row.lower > 0) of_sum = std::max(of_sum, std::sqrt(least) + out.of_row.lower);
@@ -220,7 +231,8 @@ void Remainder::apply_logarithm(const Rule& rule) {
   const Row& u = rows_[rule.x];
   Row& out = rows_[rule.out];
   if (!(u.of_value.lower > 0) || !(u.of_row.lower > 0)) return conclude(out, infinity);
-  conclude(out, (tail(u, out) + u.own_top) / u.of_row.lower + u.r / u.of_value.lower);
+  const double residual = tail(u, out) + u.own_top + hidden_by_rounding(u, out.t0);
+  conclude(out, residual / u.of_row.lower + u.r / u.of_value.lower);
   if (effort_ == Effort::careful) meet(out, rising(Function::log, u.of_value));
 }
 

@@ -179,6 +179,19 @@ TEST(Remainder, SeesAKinkAheadAndNoneBehind) {
   EXPECT_EQ(Step(tape, {}, 0, {0.5 + 1e-12, 1}, 20, 0.2).defect[1], 0);
 }
 
+/// (1 - t)^2 + 1e-16 rounds to a square, and 1 - t is a root of that: the other one from t = 1 on.
+TEST(Remainder, SeesWhereRoundingMakesTheRowAnotherFunctions) {
+  for (const char* formula :
+       {"sqrt((t - 1)^2 + 1e-16)", "((t - 1)^2 + 1e-16)^(3/2)", "(t - 1)^2/((t - 1)^2 + 1e-16)"}) {
+    const CompiledFunction tape = test::function_of(formula);
+    Workspace workspace = tape.bind({});
+    const Step step(tape, {}, 0, {0, 0}, 20, 3);
+    for (const double s : {1.0, 2.0, 3.0})
+      EXPECT_LE(step.defect_at(tape, workspace, 0, 1, s), step.defect[1]) << formula << " at " << s;
+    EXPECT_LT(Step(tape, {}, 0, {0, 0}, 20, 0.5).defect[1], 1e-14) << formula;
+  }
+}
+
 class RemainderOfSystems : public test::SystemTest {};
 INSTANTIATE_TEST_SUITE_P(Systems, RemainderOfSystems, testing::ValuesIn(test::all_systems()),
                          test::system_name);
