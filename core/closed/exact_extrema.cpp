@@ -4,6 +4,7 @@
 
 #include "core/closed/exact_roots.hpp"
 #include "core/closed/inverted_roots.hpp"
+#include "core/closed/tilted_angles.hpp"
 #include "core/closed/trial.hpp"
 #include "core/closed/turning_signs.hpp"
 #include "core/expr/simplify.hpp"
@@ -100,6 +101,7 @@ void ExactExtrema::consider(const Expression& left, const Relations& relations) 
     }
     if (!is_angle_) break;
   }
+  consider_tilted(left, relations);
   if (is_angle_) return;
   const std::optional<Expression> start = equation_.start();
   if (const auto rest = start ? without_roots(left, equation_.x, *start) : std::nullopt) {
@@ -109,6 +111,17 @@ void ExactExtrema::consider(const Expression& left, const Relations& relations) 
   }
   for (const Expression& root : inverted_roots(left, equation_.x, equation_.values)) {
     for (const End end : {End::maximum, End::minimum}) consider(end, Function::cos, root, left, relations);
+  }
+}
+
+void ExactExtrema::consider_tilted(const Expression& left, const Relations& relations) {
+  const Expression turn = Number(2) * equation_.graph->symbol("pi");
+  for (const Expression& root : tilted_angles(left, equation_.x, equation_.start(), equation_.values)) {
+    for (const Expression& place : {root, root + turn, root - turn}) {
+      for (const End end : {End::maximum, End::minimum}) {
+        if (number_of(end).value) keep(end, number(place, number_of(end), relations), left, relations);
+      }
+    }
   }
 }
 

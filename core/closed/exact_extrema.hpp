@@ -48,6 +48,7 @@ class ExactExtrema {
 
   void consider(End end, Function function, const Expression& root, const Expression& left,
                 const Relations& relations);
+  void consider_tilted(const Expression& left, const Relations& relations);
   /// Where it is a root of `left`.
   void keep(End end, Found found, const Expression& left, const Relations& relations);
   /// Whether that is possible.

@@ -113,9 +113,9 @@ class TextbookProblems(Service):
         for name, book in expected.items():
             self.assert_number(scene, found[name], found["error"][name], book)
 
-    def amplitude(self, scene, expected):
+    def amplitude(self, scene, expected, fields=()):
         """Turning points, as formulas too."""
-        found = self.ask("turning_points", {"system": scene})
+        found = self.ask("turning_points", {"system": scene} | dict(fields))
         for name, book in expected.items():
             self.assert_number(scene, found[name], found["error"][name], book)
             self.assert_same(found["exact"][name]["text"], book)

@@ -108,7 +108,7 @@ PROBLEMS = [
         ("modes", ["g/l"])]),
     ("a pendulum in a car that accelerates; Taylor", CAR, [
         ("accelerations", {"phi_ddot": "-(g*sin(phi) + a*cos(phi))/l"}),
-        ("turning", {"phi_max": "0", "phi_min": "-2*atan(a/g)"}, {"initial": {"phi": 0}}),
+        ("amplitude", {"phi_max": "0", "phi_min": "-2*atan(a/g)"}, {"initial": {"phi": 0}}),
         ("modes", ["sqrt(g^2 + a^2)/l"])]),
     ("a pendulum whose string is drawn in", SHORTENED, [
         ("accelerations", {"phi_ddot": "(2*v*phi_dot - g*sin(phi))/(l0 - v*t)"})]),

@@ -79,6 +79,8 @@ UNEQUAL = scene(
 UNEQUAL_ROOT = "sqrt((m + M)*((m + M)*(a + b)^2 - 4*m*a*b))"
 
 DUFFING = lagrangian("oscillator_of_duffing", "a - 1; b - 1", "x - 0 1", "x_dot^2/2 - a*x^2/2 - b*x^4/4")
+TILTED = lagrangian("tilted_pendulum", "m - 1; g - 9.81; l - 1; c - 0.3", "th - 0 0",
+                    "m*l^2*th_dot^2/2 + m*g*l*cos(th - c)")
 PLANET = lagrangian("planet", "k - 1", "r - 1 0; phi - 0 1.2", "(r_dot^2 + r^2*phi_dot^2)/2 + k/r")
 CENTRE = lagrangian("spring_about_a_centre", "k - 1", "r - 1 0; phi - 0 0.5", "(r_dot^2 + r^2*phi_dot^2)/2 - k*r^2/2")
 
@@ -108,6 +110,10 @@ PROBLEMS = [
     ("a double pendulum of unequal parts; Landau and Lifshitz", UNEQUAL, [
         ("modes", [f"g*((m + M)*(a + b) - {UNEQUAL_ROOT})/(2*m*a*b)", f"g*((m + M)*(a + b) + {UNEQUAL_ROOT})/(2*m*a*b)"])]),
     ("the amplitude of an oscillator; Duffing", DUFFING, [("amplitude", {"x_max": "sqrt((sqrt(a^2 + 2*b) - a)/b)"})]),
+    ("a plane pendulum on an incline, pushed from where it hangs", TILTED, [
+        ("amplitude", {"th_max": "2*c", "th_min": "0"}),
+        ("amplitude", {"th_max": "c + acos(cos(c) - l/(8*g))", "th_min": "c - acos(cos(c) - l/(8*g))"},
+         {"initial": {"th": 0, "th_dot": "0.5"}})]),
     ("the far end of an orbit; Taylor", PLANET, [("amplitude", {"r_max": "18/(25*k - 18)", "r_min": "1"})]),
     ("the near end of an orbit about a spring; Morin", CENTRE, [("amplitude", {"r_max": "1", "r_min": "1/(2*sqrt(k))"})]),
 ]
