@@ -17,6 +17,8 @@ constexpr double wave_unit = 0x1p-97;
 constexpr double function_unit = 0x1p-101;
 /// Below this, the products inside an operation may underflow.
 constexpr double smallest_exact = 1e-250;
+/// Above this, they may overflow.
+constexpr double largest_exact = 1e300;
 
 /// Radii are added up in doubles that are rounded to nearest.
 double slightly_above(double radius) { return radius * (1 + 0x1p-48); }
@@ -151,29 +153,36 @@ Interval Ball::interval() const {
   return Interval(value()) + Interval(-left, left);
 }
 
+namespace {
+
+bool is_double(const Ball& a) { return a.middle.low == 0 && a.radius == 0; }
+
+/// 1 or -1, exactly.
+bool is_unit(const Ball& a) { return std::abs(a.middle.high) == 1 && is_double(a); }
+
+}  // namespace
+
+/// Sums and products of two doubles have room in both parts.
 Ball operator+(const Ball& a, const Ball& b) {
   if (a.is_zero()) return b;
   if (b.is_zero()) return a;
   const DoubleDouble sum = a.middle + b.middle;
+  if (is_double(a) && is_double(b) && std::isfinite(sum.high)) return {sum, 0};
   if (sum.high == 0 && std::isfinite(a.middle.high)) return {sum, slightly_above(a.radius + b.radius)};
   return rounded(sum, a.radius + b.radius);
 }
 
 Ball operator-(const Ball& a) { return {-a.middle, a.radius}; }
 
-namespace {
-
-/// 1 or -1, exactly.
-bool is_unit(const Ball& a) { return std::abs(a.middle.high) == 1 && a.middle.low == 0 && a.radius == 0; }
-
-}  // namespace
-
 Ball operator*(const Ball& a, const Ball& b) {
   if (a.is_zero() || b.is_zero()) return a.is_finite() && b.is_finite() ? Ball() : Ball({}, infinity);
   if (is_unit(a)) return a.middle.high < 0 ? -b : b;  // nothing is rounded
   if (is_unit(b)) return b.middle.high < 0 ? -a : a;
+  const DoubleDouble product = a.middle * b.middle;
+  const double size = std::abs(product.high);
+  if (is_double(a) && is_double(b) && size >= smallest_exact && size < largest_exact) return {product, 0};
   const double radius = (std::abs(a.middle.high) + a.radius) * b.radius + std::abs(b.middle.high) * a.radius;
-  return rounded(a.middle * b.middle, slightly_above(radius));
+  return rounded(product, slightly_above(radius));
 }
 
 Ball operator/(const Ball& a, const Ball& b) {

@@ -121,17 +121,20 @@ SteadyForces derive_steady_forces(const Model& model, const Statics& statics,
   return result;
 }
 
+/// In balls, which have the exact zero where the terms of decimals cancel.
 std::vector<Interval> momenta_at(const Dynamics& dynamics, const Statics& statics, const Reals& parameters,
                                  const Reals& y) {
-  std::vector<Interval> momenta(statics.reduction.ignored.size());
-  if (momenta.empty()) return momenta;
+  std::vector<Ball> momenta(statics.reduction.ignored.size());
+  std::vector<Interval> result;
+  if (momenta.empty()) return result;
   const auto function = dynamics.columns(momentum_columns(dynamics.model(), statics.reduction.ignored));
-  TapeEvaluator<Interval>(*function, parameters.as<Interval>())(y.as<Interval>(), momenta);
-  for (const Interval& p : momenta) {
-    if (!p.is_finite())
+  TapeEvaluator<Ball>(*function, parameters.as<Ball>())(y.as<Ball>(), momenta);
+  for (const Ball& p : momenta) {
+    result.push_back(p.interval());
+    if (!result.back().is_finite())
       throw Error(ErrorCode::invalid_state, "A momentum has no finite value in this state.");
   }
-  return momenta;
+  return result;
 }
 
 VanishingMomenta vanishing_momenta(const Statics& statics, std::span<const Interval> momenta) {

@@ -193,6 +193,16 @@ class Equilibria(Answers):
             momentum = 0.2 * 0.5**2 * (0.5 + math.sin(place["theta"]))**2 * place["psi_dot"]
             self.assertAlmostEqual(found["momenta"]["p_psi"], momentum, 14)
 
+    def test_a_momentum_that_cancels_is_none(self):
+        """What rounding might leave of it would be a centrifugal force next to r = 0."""
+        system = lagrangian("charge_in_a_field", "m - 1; B - -0.5", "r - 0.75; phi - 0 0.25",
+                            "m*(r_dot^2 + r^2*phi_dot^2)/2 + B*r^2*phi_dot/2 - 2*r")
+        system["coordinates"][0]["domain"] = "> 0"
+        found = self.ask("equilibria", {"system": system})
+        self.assertEqual(found["momenta"], {"p_phi": 0})
+        self.assertEqual(found["equilibria"], [])
+        self.assertTrue(found["complete"])
+
     def test_time_in_the_equations_is_not_applicable(self):
         problem = self.refused("equilibria", {"system": "rolling_disk_platform"})
         self.assertEqual(problem["type"], "/errors/not-applicable")

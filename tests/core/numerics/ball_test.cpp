@@ -48,6 +48,20 @@ TEST(Ball, HasPowersOfAnyExponentToTwiceTheDigits) {
   EXPECT_FALSE(power(Ball(-8), third).is_finite());
 }
 
+/// Bounds would make something of what cancels.
+TEST(Ball, OfSumsAndProductsOfDoublesIsExact) {
+  const Ball square = Ball(0.75) * Ball(0.75);
+  EXPECT_TRUE((square * Ball(0.25) - Ball(0.5) * square / Ball(2)).contains_zero());
+  EXPECT_TRUE((square * Ball(0.25) + Ball(-0.25) * square).is_zero());
+  const Ball sum = Ball(0.1) + Ball(0.2), product = Ball(0.1) * Ball(0.2);
+  EXPECT_EQ(sum.radius, 0);
+  EXPECT_EQ(product.radius, 0);
+  EXPECT_NE(sum.middle.low, 0);
+  EXPECT_NE(product.middle.low, 0);
+  EXPECT_GT((Ball(1e-200) * Ball(1e-200)).radius, 0);
+  EXPECT_FALSE((Ball(1e200) * Ball(1e200)).is_finite());
+}
+
 TEST(Ball, KeepsTheSmallPartBesideTheLarge) {
   const Ball sum = Ball(0.7) + Ball(0.7e-14);
   expect_same(sum - Ball(0.7), Ball(0.7e-14), 1e-15);
