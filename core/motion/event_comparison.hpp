@@ -27,6 +27,11 @@ struct ApproachAsTold {
   std::vector<double> stated{};  ///< the errors of the last row before it
 };
 
+/// The computation that approaches are taken from: the first of the others that knows its own error, or else
+/// the motion itself.
+[[nodiscard]] const Simulation& computation_that_tells(const ComputedMotion& motion,
+                                                       std::span<const Simulation> others);
+
 class EventComparison {
  public:
   /// Keeps references.

@@ -115,8 +115,9 @@ std::string place_in_words(const ApproachRecord& approach) {
          (approach.is_kink ? approach.name + " = 0" : "'" + approach.name + "'") + " as its error";
 }
 
-/// Around the place, where the other way is to meet what the motion does not, or the other way about.
-bool goes_otherwise(const Simulation& other, const Simulation& motion, const ApproachRecord& approach,
+/// Around the place, where the other way is to meet what the computation that was there does not, or the
+/// other way about.
+bool goes_otherwise(const Simulation& other, const Simulation& was_there, const ApproachRecord& approach,
                     double begin) {
   if (approach.is_kink || approach.place.is_condition) return true;
   const double until = approach.place.t + widened * (approach.place.t - begin);
@@ -125,7 +126,7 @@ bool goes_otherwise(const Simulation& other, const Simulation& motion, const App
     const bool stops = way.stop && is_there(way.stop->t);
     return std::ranges::count_if(way.sections, is_there, &SectionRecord::t) + (stops ? 1 : 0);
   };
-  return met(other) != met(motion);
+  return met(other) != met(was_there);
 }
 
 /// The condition that ends the motion, in the same instant: near the end of its domain it may have any value.
@@ -191,6 +192,7 @@ OtherWays other_ways(const ComputedMotion& motion, std::span<const Simulation> o
                      std::span<const ApproachAsTold> approaches, std::uint64_t evaluations_left) {
   OtherWays result;
   add_other_order(motion, others, evaluations_left, result);
+  const Simulation& was_there = computation_that_tells(motion, others);
   const auto lose = [&](double t) { result.lost_from = std::min(result.lost_from, t); };
   for (const ApproachAsTold& approach : approaches) {
     const Approach& place = approach.approach.place;
@@ -222,7 +224,7 @@ OtherWays other_ways(const ComputedMotion& motion, std::span<const Simulation> o
       result.evaluations += way.spent();
       evaluations_left -= std::min(evaluations_left, way.spent());
       if (other.rows < motion.simulation.rows) lose(std::max(t, other.t));
-      if (fork.is_bounded() && !goes_otherwise(other, motion.simulation, approach.approach, begin)) lose(t);
+      if (fork.is_bounded() && !goes_otherwise(other, was_there, approach.approach, begin)) lose(t);
     } catch (const Error&) {
       lose(t);
     }
