@@ -114,8 +114,19 @@ std::vector<ApproachAsTold> EventComparison::approaches() {
 
 std::vector<ApproachAsTold> EventComparison::near_events() {
   std::vector<ApproachAsTold> all;
-  for (const ApproachRecord& approach : motion_.simulation.near_events) add_told(approach, all);
+  for (const ApproachRecord& approach : motion_.simulation.near_events) {
+    if (!is_passed_against(approach)) add_told(approach, all);
+  }
   return all;
+}
+
+/// A step of its function, such as that of tanh, at which the event is passed the other way.
+bool EventComparison::is_passed_against(const ApproachRecord& approach) {
+  const Approach& place = approach.place;
+  if (!place.is_hidden || place.others) return false;
+  const EventRecord event{approach.name, place.t, place.state_at(0)};
+  const auto [errors, are_of_it] = errors_at(event);
+  return of_state_.passes_against(event, errors, are_of_it ? std::span(reached_) : scale_);
 }
 
 /// Of the motion's own. Others tell of an instant what is before all its impacts.

@@ -55,6 +55,7 @@ class EventComparison {
     bool are_of_it{};            ///< or of later rows
   };
   [[nodiscard]] OfState errors_at(const EventRecord& event);
+  [[nodiscard]] bool is_passed_against(const ApproachRecord& approach);
   void add_told(const ApproachRecord& approach, std::vector<ApproachAsTold>& all);
   void widen_for_others(const Approach::Others& others, std::vector<StateAsTold>& told) const;
   [[nodiscard]] std::size_t rows() const { return errors_.stated.size() / scale_.size(); }
