@@ -211,7 +211,8 @@ void add_jumps(const EventFunctions& event, const WatchRequest& request, const s
   }
 }
 
-/// What must not fall below zero for e to have a value: arguments of roots and logarithms.
+/// What must not fall below zero for e to have a value: arguments of roots and logarithms, and for those of
+/// inverse sines and cosines how far they are from 1 and from -1.
 std::vector<Expression> arguments_with_an_end(const Expression& e) {
   std::vector<Expression> found;
   const NodeId root = e.id();
@@ -220,6 +221,11 @@ std::vector<Expression> arguments_with_an_end(const Expression& e) {
     const auto* call = std::get_if<Call>(&node);
     const auto* power = std::get_if<Power>(&node);
     if (call != nullptr && call->function == Function::log) found.emplace_back(e.graph(), call->argument);
+    if (call != nullptr && (call->function == Function::asin || call->function == Function::acos)) {
+      const Expression one = e.graph().number(1), argument(e.graph(), call->argument);
+      found.push_back(one - argument);
+      found.push_back(one + argument);
+    }
     if (power != nullptr && !power->exponent.is_integer()) found.emplace_back(e.graph(), power->base);
   }
   return found;

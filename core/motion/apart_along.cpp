@@ -20,7 +20,8 @@ constexpr double farthest_to_event = 0.1;  ///< as far as the other may go until
 constexpr int looks = 3;                   ///< at where that is
 constexpr double times_longer = 10;        ///< times a time in which a rounded g tells no slope
 constexpr double beyond_rounding = 4;      ///< times what rounding of g moves an instant: g tells there
-constexpr double last_places = 16;         ///< of an instant, which rounding of the motion counts
+constexpr double turn_seen = 1e3;   ///< times a short time, in which rounding does not hide how g turns
+constexpr double last_places = 16;  ///< of an instant, which rounding of the motion counts
 
 std::vector<double> along(const std::vector<double>& y, double factor, std::span<const double> direction) {
   std::vector<double> result = y;
@@ -50,11 +51,11 @@ double short_time(const SectionEnd& end) {
 /// As far as slopes tell how the motion goes on.
 double longest_time(const SectionEnd& end) { return farthest_to_event / looked_at * short_time(end); }
 
-/// Positions after tau at the accelerations of before.
-std::vector<double> soon(const SectionEnd& end, double tau) {
-  std::vector<double> y = along(end.before, tau, end.slopes_before);
+/// Positions after tau at the accelerations of one side.
+std::vector<double> soon(const SectionEnd& end, double tau, std::span<const double> slopes) {
+  std::vector<double> y = along(end.before, tau, slopes);
   const std::size_t n = y.size() / 2;
-  for (std::size_t i = 0; i < n; ++i) y[i] += tau * tau / 2 * end.slopes_before[n + i];
+  for (std::size_t i = 0; i < n; ++i) y[i] += tau * tau / 2 * slopes[n + i];
   return y;
 }
 
@@ -67,7 +68,8 @@ std::vector<double> soon(const SectionEnd& end, double tau) {
 std::vector<double> apart_without_event(const SectionEnd& end, std::span<const double> e, double tau) {
   constexpr double of_places = 4;
   const auto g = [&](double later, const std::vector<double>& y) { return end.g(end.t + later, y); };
-  const double now = g(0, end.before), ahead = g(tau, soon(end, tau)), behind = g(-tau, soon(end, -tau));
+  const double now = g(0, end.before), ahead = g(tau, soon(end, tau, end.slopes_before)),
+               behind = g(-tau, soon(end, -tau, end.slopes_before));
   const double speed = std::abs(ahead - behind) / (2 * tau);
   const double curvature = std::abs(ahead - 2 * now + behind) / (tau * tau);
   const double distance = std::abs(g(0, along(end.before, -1, e)) - now);
@@ -78,6 +80,34 @@ std::vector<double> apart_without_event(const SectionEnd& end, std::span<const d
     if (bound < end.reached[i]) result[i] = bound;  // not, where it is no number
   }
   return result;
+}
+
+/// For how long one of both motions is beyond a kink and the other one is not, where forces turn them back on
+/// either side of it: that one may graze it with another speed and miss it, or be deeper by delta,
+///
+///   2 (|g'| + |g'(e)| + sqrt((|g'| + |g'(e)|)^2 + 2 c delta))/c_least,   c = |g''|,
+///
+/// or for as long as slopes tell, where they are not turned back or velocities stand in g.
+double seconds_beyond(const SectionEnd& end, std::span<const double> e, double factor, double slope) {
+  const std::size_t n = e.size() / 2;
+  const double tau = turn_seen * short_time(end), longest = longest_time(end);
+  const double now = end.g(end.t, end.before);
+  const auto turned_back = [&](std::span<const double> slopes) {
+    const double ahead = end.g(end.t + tau, soon(end, tau, slopes)),
+                 behind = end.g(end.t - tau, soon(end, -tau, slopes));
+    return std::copysign(1.0, -slope) * (ahead - 2 * now + behind) / (tau * tau);
+  };
+  std::vector<double> pushed = end.before, moved = end.before;
+  for (std::size_t i = 0; i < n; ++i) {
+    pushed[n + i] += tau * (end.slopes_after[n + i] - end.slopes_before[n + i]);
+    moved[i] -= factor * tau * e[n + i];
+  }
+  const double before = turned_back(end.slopes_before), after = turned_back(end.slopes_after);
+  const double least = std::min(before, after), most = std::max(before, after);
+  if (!(least > 0) || end.g(end.t, pushed) != now) return longest;
+  const double speed = std::abs(slope) + std::abs(end.g(end.t, moved) - now) / (factor * tau);
+  const double delta = std::abs(end.g(end.t, along(end.before, -factor, e)) - now) / factor;
+  return std::min(longest, 2 * (speed + std::sqrt(speed * speed + 2 * most * delta)) / least);
 }
 
 /// Where forces go on as before, e does; else it is as large as the motion, or as they make it in `seconds`.
@@ -121,7 +151,8 @@ std::vector<double> apart_after(const SectionEnd& end, std::span<const double> e
   for (int i = 0; i < looks; ++i) later -= g_of_other(later) / slope;
   const double farthest = longest_time(end);
   if (!(std::abs(later) < farthest))
-    return end.map ? apart_without_event(end, e, tau) : apart_after_grazing(end, e, farthest);
+    return end.map ? apart_without_event(end, e, tau)
+                   : apart_after_grazing(end, e, seconds_beyond(end, e, factor, slope));
   std::vector<double> result = state_after(end, later, along(other, later, end.slopes_before));
   result = along(result, -later, end.slopes_after);
   for (std::size_t i = 0; i < e.size(); ++i) result[i] = (end.after[i] - result[i]) / factor;

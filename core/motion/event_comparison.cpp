@@ -30,6 +30,12 @@ std::vector<double> between_rows(std::span<const double> error, std::span<const 
 
 }  // namespace
 
+const Simulation& computation_that_tells(const ComputedMotion& motion, std::span<const Simulation> others) {
+  const auto knows =
+      std::ranges::find_if(others, [](const Simulation& s) { return !s.apart_at_end.empty(); });
+  return knows == others.end() ? motion.simulation : *knows;
+}
+
 EventComparison::EventComparison(const ComputedMotion& motion, const std::vector<Simulation>& others,
                                  const ErrorsOfRows& errors, RowsAtImpacts& at_impacts)
     : motion_(motion),
@@ -91,11 +97,9 @@ void EventComparison::share_with_cause(std::vector<std::optional<EventError>>& e
 
 std::vector<ApproachAsTold> EventComparison::approaches() {
   std::vector<ApproachAsTold> all;
-  const auto knows =
-      std::ranges::find_if(others_, [](const Simulation& s) { return !s.apart_at_end.empty(); });
-  const bool are_own = knows == others_.end();
-  for (const ApproachRecord& approach : (are_own ? motion_.simulation : *knows).approaches) {
-    if (are_own) {
+  const Simulation& tells = computation_that_tells(motion_, others_);
+  for (const ApproachRecord& approach : tells.approaches) {
+    if (&tells == &motion_.simulation) {
       add_told(approach, all);
     } else {
       StateAsTold told{std::vector<double>(scale_.size()), approach.place.apart};
@@ -110,8 +114,19 @@ std::vector<ApproachAsTold> EventComparison::approaches() {
 
 std::vector<ApproachAsTold> EventComparison::near_events() {
   std::vector<ApproachAsTold> all;
-  for (const ApproachRecord& approach : motion_.simulation.near_events) add_told(approach, all);
+  for (const ApproachRecord& approach : motion_.simulation.near_events) {
+    if (!is_passed_against(approach)) add_told(approach, all);
+  }
   return all;
+}
+
+/// A step of its function, such as that of tanh, at which the event is passed the other way.
+bool EventComparison::is_passed_against(const ApproachRecord& approach) {
+  const Approach& place = approach.place;
+  if (!place.is_hidden || place.others) return false;
+  const EventRecord event{approach.name, place.t, place.state_at(0)};
+  const auto [errors, are_of_it] = errors_at(event);
+  return of_state_.passes_against(event, errors, are_of_it ? std::span(reached_) : scale_);
 }
 
 /// Of the motion's own. Others tell of an instant what is before all its impacts.

@@ -27,6 +27,11 @@ struct ApproachAsTold {
   std::vector<double> stated{};  ///< the errors of the last row before it
 };
 
+/// The computation that approaches are taken from: the first of the others that knows its own error, or else
+/// the motion itself.
+[[nodiscard]] const Simulation& computation_that_tells(const ComputedMotion& motion,
+                                                       std::span<const Simulation> others);
+
 class EventComparison {
  public:
   /// Keeps references.
@@ -50,6 +55,7 @@ class EventComparison {
     bool are_of_it{};            ///< or of later rows
   };
   [[nodiscard]] OfState errors_at(const EventRecord& event);
+  [[nodiscard]] bool is_passed_against(const ApproachRecord& approach);
   void add_told(const ApproachRecord& approach, std::vector<ApproachAsTold>& all);
   void widen_for_others(const Approach::Others& others, std::vector<StateAsTold>& told) const;
   [[nodiscard]] std::size_t rows() const { return errors_.stated.size() / scale_.size(); }

@@ -47,6 +47,20 @@ std::optional<EventError> EventErrors::of(const EventRecord& event, std::span<co
                                  : of(*watch, event.t, event.y, errors, reached, 0, event.untold);
 }
 
+bool EventErrors::passes_against(const EventRecord& place, std::span<const double> errors,
+                                 std::span<const double> reached) {
+  const auto watch = std::ranges::find_if(watches_, [&](const Watch& w) {
+    return w.name == place.name && w.kind == Watch::Kind::event && w.direction != Crossing::either;
+  });
+  if (watch == watches_.end() || errors.empty()) return false;
+  const std::optional<EventError> error = of(*watch, place.t, place.y, errors, reached);
+  if (!error || !error->is_single) return false;
+  StatesBeside states(dynamics_, workspace_, t_start_, place.t, place.y, {errors.begin(), errors.end()});
+  const double before = watch->value(place.t - error->time, states.after(-error->time)),
+               after = watch->value(place.t + error->time, states.after(error->time));
+  return watch->direction == Crossing::rising ? before > 0 && after < 0 : before < 0 && after > 0;
+}
+
 std::optional<EventError> EventErrors::of(const Stop& stop, std::span<const double> y,
                                           std::span<const double> errors, double at_least) {
   std::vector<const Watch*> fitting;

@@ -42,6 +42,10 @@ class EventErrors {
   /// Of any place of the motion whose time may be off by so much.
   [[nodiscard]] std::optional<EventError> at(double t, std::span<const double> y,
                                              std::span<const double> errors, double time);
+  /// Whether the motion passes zero of a reported event there, once, and not in the direction that is asked
+  /// for.
+  [[nodiscard]] bool passes_against(const EventRecord& place, std::span<const double> errors,
+                                    std::span<const double> reached);
   /// Whether what stops the motion held before that impact and does not after it, by more than these errors.
   [[nodiscard]] bool breaks(const SectionRecord& impact, const Stop& stop,
                             std::span<const double> errors) const;

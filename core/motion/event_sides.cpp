@@ -181,7 +181,8 @@ void EventSides::look_sharply(const Watch& watch, double begin, EventFunction& e
       return signs;
     }
     if (!is_begin || !is_typed) return watch.sharp_signs(typed_start(request_).parameters, nullptr, look);
-    const Reals start = start_as_typed(dynamics_, request_);
+    const bool is_of_typed = is_left && request_.originals;
+    const Reals start = is_of_typed ? request_.originals->asked.y_start : start_as_typed(dynamics_, request_);
     return watch.sharp_signs(typed_start(request_).parameters, &start, look);
   };
 }

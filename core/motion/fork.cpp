@@ -94,6 +94,15 @@ std::optional<std::vector<double>> Fork::start(double t) const {
   return is_before || approach_.is_kink || place_.is_condition ? std::optional(std::move(y)) : std::nullopt;
 }
 
+std::vector<double> Fork::at_place() const {
+  std::vector<double> y = y_;
+  const std::size_t n = y.size() / 2;
+  for (std::size_t i = 0; i < n; ++i) {
+    if (slopes_[i] != 0) y[n + i] -= place_.sign * std::copysign(errors_[n + i], slopes_[i]);
+  }
+  return y;
+}
+
 double Fork::value(double t, std::span<const double> y) const {
   return approach_.enclosure(t, std::vector<Interval>(y.begin(), y.end())).middle();
 }

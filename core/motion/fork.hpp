@@ -44,6 +44,9 @@ class Fork {
   /// The state at `t`, which is begin(): 2n numbers. None where it is not before the event that it is to
   /// meet, or cannot be put on the constraints.
   [[nodiscard]] std::optional<std::vector<double>> start(double t) const;
+  /// The state at the place itself, as fast towards the event as the errors allow: of bodies that have been
+  /// beside each other since they met, so that no way begins before.
+  [[nodiscard]] std::vector<double> at_place() const;
 
  private:
   [[nodiscard]] double value(double t, std::span<const double> y) const;

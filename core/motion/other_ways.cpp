@@ -12,6 +12,7 @@
 #include "core/integrate/events.hpp"
 #include "core/motion/accuracy_reasons.hpp"
 #include "core/motion/fork.hpp"
+#include "core/motion/instant_impacts.hpp"
 #include "core/motion/simulation.hpp"
 
 namespace qdot {
@@ -115,8 +116,9 @@ std::string place_in_words(const ApproachRecord& approach) {
          (approach.is_kink ? approach.name + " = 0" : "'" + approach.name + "'") + " as its error";
 }
 
-/// Around the place, where the other way is to meet what the motion does not, or the other way about.
-bool goes_otherwise(const Simulation& other, const Simulation& motion, const ApproachRecord& approach,
+/// Around the place, where the other way is to meet what the computation that was there does not, or the
+/// other way about.
+bool goes_otherwise(const Simulation& other, const Simulation& was_there, const ApproachRecord& approach,
                     double begin) {
   if (approach.is_kink || approach.place.is_condition) return true;
   const double until = approach.place.t + widened * (approach.place.t - begin);
@@ -125,7 +127,37 @@ bool goes_otherwise(const Simulation& other, const Simulation& motion, const App
     const bool stops = way.stop && is_there(way.stop->t);
     return std::ranges::count_if(way.sections, is_there, &SectionRecord::t) + (stops ? 1 : 0);
   };
-  return met(other) != met(motion);
+  return met(other) != met(was_there);
+}
+
+struct Start {
+  double t{};
+  std::vector<double> y;
+  bool is_struck{};  ///< it begins with the impact
+};
+
+/// What the impacts of an event leave.
+std::vector<double> struck(const ComputedMotion& motion, const std::string& event, double t,
+                           std::vector<double> y) {
+  const InstantImpacts impacts(motion.dynamics, motion.request.parameters, time_round_off(t));
+  std::vector<InstantImpacts::Happened> all;
+  const std::vector<ParsedImpact>& known = motion.dynamics.model().parsed.impacts;
+  for (std::size_t i = 0; i < known.size(); ++i) {
+    if (known[i].event == event) all.push_back({i, y});
+  }
+  return impacts.repeat(t, std::move(y), all);
+}
+
+/// Bodies that nothing presses and nothing parts, after an impact that took all speed from their distance,
+/// may meet again anywhere: it takes as much again as the errors leave.
+std::optional<Start> start_of(const Fork& fork, const ApproachRecord& approach,
+                              const ComputedMotion& motion) {
+  const double begin = fork.begin();
+  if (auto y = fork.start(begin)) return Start{begin, std::move(*y), false};
+  const bool is_impact = !approach.is_kink && !approach.ends_motion && !approach.place.is_condition;
+  if (!is_impact || approach.place.met || begin > approach.begun) return std::nullopt;
+  const double t = approach.place.t;
+  return Start{t, struck(motion, approach.name, t, fork.at_place()), true};
 }
 
 /// The condition that ends the motion, in the same instant: near the end of its domain it may have any value.
@@ -191,6 +223,7 @@ OtherWays other_ways(const ComputedMotion& motion, std::span<const Simulation> o
                      std::span<const ApproachAsTold> approaches, std::uint64_t evaluations_left) {
   OtherWays result;
   add_other_order(motion, others, evaluations_left, result);
+  const Simulation& was_there = computation_that_tells(motion, others);
   const auto lose = [&](double t) { result.lost_from = std::min(result.lost_from, t); };
   for (const ApproachAsTold& approach : approaches) {
     const Approach& place = approach.approach.place;
@@ -210,19 +243,19 @@ OtherWays other_ways(const ComputedMotion& motion, std::span<const Simulation> o
       lose(t);
       continue;
     }
-    const double begin = fork.begin();
-    const auto start = fork.start(begin);
-    if (!start || result.motions.size() == most_ways) {
-      lose(t);
-      continue;
-    }
     try {
-      OtherWay way(motion, begin);
-      Simulation& other = result.motions.emplace_back(way.from(*start, evaluations_left));
+      const auto start = start_of(fork, approach.approach, motion);
+      if (!start || result.motions.size() == most_ways) {
+        lose(t);
+        continue;
+      }
+      OtherWay way(motion, start->t);
+      Simulation& other = result.motions.emplace_back(way.from(start->y, evaluations_left));
       result.evaluations += way.spent();
       evaluations_left -= std::min(evaluations_left, way.spent());
       if (other.rows < motion.simulation.rows) lose(std::max(t, other.t));
-      if (fork.is_bounded() && !goes_otherwise(other, motion.simulation, approach.approach, begin)) lose(t);
+      const bool may_fail = fork.is_bounded() && !start->is_struck;
+      if (may_fail && !goes_otherwise(other, was_there, approach.approach, start->t)) lose(t);
     } catch (const Error&) {
       lose(t);
     }

@@ -8,6 +8,7 @@ namespace qdot {
 namespace {
 
 constexpr double next_of_looks = 4, roundings_of_look = 64;
+constexpr double roundings_of_places = 4;  ///< that are far from where the look begins
 constexpr double rounding_of_rates = 64 * std::numeric_limits<double>::epsilon();
 constexpr double longest_of_looks = 0.5;  ///< of the motion's span
 constexpr double step_of_slopes = 1e-7;   ///< relative
@@ -36,7 +37,11 @@ double pressing(const Watch& watch, const SectionRecord& impact, const MotionSec
       return watch.value(impact.t + tau, moved(y, accelerations, tau)) +
              watch.value(impact.t - tau, moved(y, accelerations, -tau)) - 2 * g;
     };
-    const double seen = roundings_of_look * watch.own_rounding(impact.t, y);
+    const auto rounding_after = [&](double time) {
+      return watch.rounding(impact.t + time, moved(y, std::span(now).last(n), time));
+    };
+    const double seen = std::max(roundings_of_look * watch.own_rounding(impact.t, y),
+                                 roundings_of_places * std::max(rounding_after(tau), rounding_after(-tau)));
     const std::vector<double> soon = sections.slopes(impact.t + tau, moved(y, std::span(now).last(n), tau));
     const double press = inside * change_by(now), press_soon = inside * change_by(soon);
     if (!(std::abs(press) > seen) && !(std::abs(press_soon) > seen)) continue;

@@ -52,6 +52,34 @@ class BodiesThatStayTogether(Service):
                 for a, b in zip(rows["a"], rows["b"]):
                     self.assertGreater(b - a, -1e-12)
 
+    def test_springs_that_pull_both_alike_leave_them_together(self):
+        """Nothing presses and nothing parts them: whether they touch once more changes no more than rounding."""
+        draw, told = random.Random(812), 0
+        for _ in range(12):
+            m, square, gap, v = draw.randint(5, 30)/10, draw.randint(3, 40)/10, draw.randint(2, 9)/10, draw.randint(10, 30)/10
+            scene = {"name": "carts", "units": "none",
+                     "lagrangian": f"x_dot^2/2 + {m}*y_dot^2/2 - {square}*(x^2/2 + {m}*y^2/2)",
+                     "coordinates": [{"name": "x", "initial": "0", "initial_rate": str(v)}, {"name": "y", "initial": str(gap)}],
+                     "events": [{"name": "w", "expression": "y - x", "direction": "falling"}],
+                     "impacts": [{"event": "w", "restitution": "0"}]}
+            with self.subTest(m=m, square=square, gap=gap, v=v):
+                answer = self.ask("simulate", {"system": scene, "t_end": draw.choice((2, 2, 4)), "samples": 6})
+                self.assertEqual(answer["status"], "complete")
+                rate, y, u, mass = mp.sqrt(mpf(str(square))), mpf(str(gap)), mpf(str(v)), mpf(str(m))
+                met = mp.atan(y * rate / u) / rate
+                place = u / rate * mp.sin(rate * met)
+                speed = (u * mp.cos(rate * met) - mass * y * rate * mp.sin(rate * met)) / (1 + mass)
+                rows, errors = answer["trajectory"], answer["accuracy"]["max_abs_error"]
+                for t, one, other in zip(rows["t"], rows["x"], rows["y"]):
+                    later = mpf(t) - met
+                    known = [place * mp.cos(rate * later) + speed / rate * mp.sin(rate * later)] * 2
+                    if later < 0:
+                        known = [u / rate * mp.sin(rate * mpf(t)), y * mp.cos(rate * mpf(t))]
+                    self.assertLessEqual(abs(one - known[0]), errors["x"] + 2e-16)
+                    self.assertLessEqual(abs(other - known[1]), errors["y"] + 2e-16)
+                told += max(errors.values()) < 1e-6
+        self.assertGreater(told, 10)
+
     def test_a_ball_lands_once_on_a_floor_that_moves_on(self):
         for speed in ("0.5", "-0.3", "0", "1.25"):
             scene = {"name": "lift", "units": "none", "lagrangian": "y_dot^2/2 - 9.81*y", "coordinates": [{"name": "y", "initial": "1"}],

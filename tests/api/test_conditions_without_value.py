@@ -10,7 +10,9 @@ from service import Service  # noqa: E402
 # Of x = t, and where it ends.
 CONDITIONS = [("sqrt(1 - x)", 1), ("sqrt(1 - x) - 0.001", 0.999999), ("(1 - x)^0.5 + 1", 1), ("sqrt(1 - x) - 1e-10", 1),
               ("log(1 - x) + 30", 1 - 9.357622968840175e-14), ("log(1 - x) + 1", 0.6321205588285577),
-              ("sqrt(2 - x) + sqrt(3 - 2*x)", 1.5), ("sqrt((x - 1)^2) - 0.25", 0.75), ("x + sqrt(x^2 + 1)", None)]
+              ("sqrt(2 - x) + sqrt(3 - 2*x)", 1.5), ("sqrt((x - 1)^2) - 0.25", 0.75), ("x + sqrt(x^2 + 1)", None),
+              ("acos(x) + 1", 1), ("2 - asin(x)", 1), ("acos(1 - 0.8*x) - 3.2", 0), ("4 - acos(0.6 - x)", 1.6), ("asin(2*x) - asin(x - 0.7) + 1", 0.5),
+              ("acos(x) - 0.1", 0.9950041652780258), ("2 - asin(sin(x))", None)]
 
 
 class ConditionsWithoutValue(Service):

@@ -63,6 +63,15 @@ class HiddenEvents(Service):
                 if len(answer["events"]) != 2:
                     self.assertIn("'e' as its error", answer["accuracy"]["reason"])
 
+    def test_a_step_at_which_the_event_is_passed_the_other_way_hides_nothing(self):
+        for function in ("tanh(x)", "exp(x) - 1", "exp(x - 0.3) - 1", "exp(5*x) - 1", "atan(7*x)", "x*exp(x)"):
+            for direction, count in (("rising", 1), ("falling", 1)):
+                event = {"name": "e", "expression": function, "direction": direction}
+                with self.subTest(function=function, direction=direction):
+                    answer = self.simulate(scene("x_dot^2/2 - x^2/2", "1", "0", events=[event]), 7, events=["e"])
+                    self.assertEqual(len(answer["events"]), count)
+                    self.assertNotIn("reason", answer["accuracy"])
+
     def test_steps_of_time_just_behind_the_start_are_met(self):
         """Within the first rounding that times elsewhere have."""
         for function, known in (("tanh(1e16*t) - 0.5", [mp.atanh(0.5) * mpf("1e-16")]),
