@@ -47,9 +47,7 @@ class CriticalSearch {
       result_.complete = false;
       return std::move(result_);
     }
-    const auto depends = [](const CriticalChart& c) {
-      return c.systems->depends || !c.systems->growth.empty() || c.systems->growth_is_unknown;
-    };
+    const auto depends = [](const CriticalChart& c) { return c.systems->depends || may_grow(c); };
     if (std::ranges::none_of(all_.charts(), depends)) {
       result_.reason = "No force at rest depends on " + name + ", so the equilibria stay as they are.";
     } else {
@@ -59,7 +57,7 @@ class CriticalSearch {
     if (!result_.complete && !gave_up_) add_missed();
     known_elsewhere_.insert(known_elsewhere_.end(), result_.degenerate.begin(), result_.degenerate.end());
     if (result_.complete && changes_between(result_.branches, result_.critical, known_elsewhere_)) {
-      incomplete(growth_not_found);
+      incomplete(std::ranges::any_of(all_.charts(), may_grow) ? growth_not_found : curves_not_told_apart);
     }
     return std::move(result_);
   }
@@ -68,6 +66,10 @@ class CriticalSearch {
   static bool has_points(const CriticalChart& chart) {
     const SteadyForces& forces = *chart.problem.forces;
     return !forces.unknowns.empty() && forces.unknowns.size() == forces.equations.size();
+  }
+
+  static bool may_grow(const CriticalChart& chart) {
+    return !chart.systems->growth.empty() || chart.systems->growth_is_unknown;
   }
 
   static bool has_too_many_forces(const CriticalChart& chart) {
@@ -200,8 +202,18 @@ class CriticalSearch {
   }
 
   void trace() {
-    result_.branches =
-        branches([&](double& p) { return column(p); }, from_, to_, result_.critical, turns(), poles_);
+    const auto between = [&](double p) { return closer_look(p); };
+    result_.branches = branches([&](double& p) { return column(p); }, between, from_, to_,
+                                {result_.critical, turns(), poles_, one_coordinate()});
+  }
+
+  [[nodiscard]] std::optional<OneCoordinate> one_coordinate() const {
+    if (!result_.complete || all_.charts().size() > 1 || !chart_->determinants.empty() ||
+        unknowns().size() != 1)
+      return std::nullopt;
+    OneCoordinate one{kept()[unknowns()[0]], known_elsewhere_};
+    one.elsewhere.insert(one.elsewhere.end(), result_.degenerate.begin(), result_.degenerate.end());
+    return one;
   }
 
   void add_missed() {
@@ -248,6 +260,25 @@ class CriticalSearch {
       end_branches(p, "since to follow them further would cost more than one answer may.");
       return {};
     }
+  }
+
+  /// A column that is not needed: it may cost a small part of what the others have, and ends no branch.
+  [[nodiscard]] std::optional<std::vector<SteadyState>> closer_look(double p) {
+    constexpr std::uint64_t part = 50;
+    if (gave_up_) return std::nullopt;
+    const std::uint64_t units = work_left() / part;
+    std::uint64_t spent = units;
+    std::optional<std::vector<SteadyState>> result;
+    try {
+      const WorkScope bounded(units);
+      Equilibria found = all_.at(p);
+      spent -= work_left();
+      if (found.complete) result = std::move(found.states);
+    } catch (const Error& error) {
+      if (error.code() != ErrorCode::too_large) throw;
+    }
+    spend_work(spent);
+    return result;
   }
 
   void end_branches(double p, const std::string& why) {

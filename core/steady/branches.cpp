@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "core/numerics/function.hpp"
+#include "core/steady/ordered_continuation.hpp"
 
 namespace qdot {
 namespace {
@@ -15,6 +16,9 @@ constexpr int least_columns = 8;
 /// A curve ends at a critical point that is no farther than this from its last point, for coordinates of size
 /// one.
 constexpr double reach = 0.5;
+/// Of the range, between columns that are added for a closer look; and how many are in all.
+constexpr double least_step = 1e-9;
+constexpr int most_added = 200;
 
 struct SampledState {
   std::vector<double> x;
@@ -28,9 +32,13 @@ bool change_between(Stability a, Stability b) {
 
 class Tracer {
  public:
-  Tracer(const EquilibriaAt& equilibria_at, std::span<const CriticalValue> critical,
-         const std::vector<bool>& turns, std::span<const CurvePole> poles)
-      : equilibria_at_(equilibria_at), critical_(critical), turns_(turns), poles_(poles) {}
+  Tracer(const EquilibriaAt& equilibria_at, const EquilibriaBetween& between, const KnownOfCurves& known)
+      : equilibria_at_(equilibria_at),
+        between_(between),
+        critical_(known.critical),
+        turns_(known.turns),
+        poles_(known.poles),
+        one_(known.one) {}
 
   std::vector<EquilibriumBranch> run(double from, double to) {
     std::vector<double> ends{from};
@@ -38,6 +46,7 @@ class Tracer {
       if (c.value > ends.back() && c.value < to && !is_of_oscillations(c.kind)) ends.push_back(c.value);
     }
     ends.push_back(to);
+    least_step_ = least_step * (to - from);
     for (std::size_t i = 0; i + 1 < ends.size(); ++i) {
       const double share = (ends[i + 1] - ends[i]) / (to - from);
       const int count = std::max(least_columns, static_cast<int>(std::lround(columns_in_all * share)));
@@ -102,14 +111,14 @@ class Tracer {
     });
   }
 
-  struct Pair {
+  struct Candidate {
     double distance;
     std::size_t open, point;
   };
 
   /// Open branches with points they may go on to, the closest pair first.
-  [[nodiscard]] std::vector<Pair> pairs(std::span<const SampledState> points, double p) const {
-    std::vector<Pair> all;
+  [[nodiscard]] std::vector<Candidate> candidates(std::span<const SampledState> points, double p) const {
+    std::vector<Candidate> all;
     for (std::size_t b = 0; b < open_.size(); ++b) {
       const std::vector<double> ahead = extrapolated(result_[open_[b]], p);
       for (std::size_t i = 0; i < points.size(); ++i) {
@@ -117,29 +126,129 @@ class Tracer {
         if (std::isfinite(d) && !passes_pole(result_[open_[b]], points[i], p)) all.push_back({d, b, i});
       }
     }
-    std::ranges::stable_sort(all, {}, &Pair::distance);
+    std::ranges::stable_sort(all, {}, &Candidate::distance);
     return all;
   }
 
-  void add_column(double p) {
+  [[nodiscard]] Continuation nearest(std::span<const SampledState> points, double p) const {
+    Continuation result;
+    std::vector<bool> used(points.size()), goes_on(open_.size());
+    for (const Candidate& c : candidates(points, p)) {
+      if (used[c.point] || goes_on[c.open]) continue;
+      used[c.point] = goes_on[c.open] = true;
+      result.pairs.emplace_back(c.open, c.point);
+    }
+    return result;
+  }
+
+  /// Whether a curve changes its stability that would keep it if it changed places with another, or went on
+  /// as what seems to begin.
+  [[nodiscard]] bool may_be_swapped(const Continuation& next, std::span<const SampledState> points) const {
+    std::vector<bool> used(points.size());
+    for (const auto& [open, point] : next.pairs) used[point] = true;
+    const auto changes = [&](std::size_t open, std::size_t point) {
+      return change_between(result_[open_[open]].stability.back(), points[point].stability);
+    };
+    for (const auto& [a, b] : next.pairs) {
+      if (!changes(a, b)) continue;
+      for (const auto& [c, d] : next.pairs) {
+        if (changes(c, d) && !changes(a, d) && !changes(c, b)) return true;
+      }
+      for (std::size_t i = 0; i < points.size(); ++i) {
+        if (!used[i] && !changes(a, i)) return true;
+      }
+    }
+    return false;
+  }
+
+  /// Where no two curves cross as far as is known.
+  [[nodiscard]] bool only_folds_until(double p) const {
+    return std::ranges::all_of(
+        critical_until(p), [](const CriticalValue* c) { return c->kind == BifurcationKind::saddle_node; });
+  }
+
+  /// What equilibria meet at between the last column and p.
+  [[nodiscard]] std::vector<const CriticalValue*> critical_until(double p) const {
+    std::vector<const CriticalValue*> result;
+    for (const CriticalValue& c : critical_) {
+      if (!is_of_oscillations(c.kind) && last_ <= c.value + c.error && c.value - c.error <= p)
+        result.push_back(&c);
+    }
+    return result;
+  }
+
+  /// None where the order of one coordinate tells nothing.
+  [[nodiscard]] std::optional<OrderedStep> ordered_step(std::span<const SampledState> points,
+                                                        double p) const {
+    const auto is_passed = [&](double value) { return last_ <= value && value <= p; };
+    if (!one_ || !std::isfinite(last_) || std::ranges::any_of(one_->elsewhere, is_passed))
+      return std::nullopt;
+    OrderedStep step{{}, {}, critical_until(p), one_->index, turns_[one_->index]};
+    const auto is_unresolved = [](const CriticalValue* c) { return c->kind == BifurcationKind::unresolved; };
+    if (std::ranges::any_of(step.critical, is_unresolved)) return std::nullopt;
+    for (const std::size_t open : open_) step.before.push_back(result_[open].x.back()[one_->index]);
+    for (const SampledState& point : points) step.after.push_back(point.x[one_->index]);
+    return is_counted(step) ? std::optional(step) : std::nullopt;
+  }
+
+  [[nodiscard]] static std::vector<SampledState> sampled(std::span<const SteadyState> states) {
     std::vector<SampledState> points;
-    for (const SteadyState& state : equilibria_at_(p)) {
+    for (const SteadyState& state : states) {
       const auto half = static_cast<std::ptrdiff_t>(state.y.size() / 2);
       points.push_back({{state.y.begin(), state.y.begin() + half}, state.stability.stability});
     }
+    return points;
+  }
+
+  void add_column(double p) {
+    const std::vector<SteadyState> states = equilibria_at_(p);
+    go_on_to(p, sampled(states));
+  }
+
+  /// In shorter steps where this one does not tell which equilibrium goes on as which.
+  void go_on_to(double p, const std::vector<SampledState>& points) {
+    const std::optional<OrderedStep> step = ordered_step(points, p);
+    std::optional<Continuation> next = step ? ordered_continuation(*step) : nearest(points, p);
+    const bool is_doubtful = step ? !next : only_folds_until(p) && may_be_swapped(*next, points);
+    if (is_doubtful && looks_between(p)) return go_on_to(p, points);
+    if (!next) next = nearest(points, p);
+    take(*next, points, p);
+  }
+
+  /// Adds a column before p, if one can be.
+  bool looks_between(double p) {
+    if (p - last_ < least_step_ || added_ >= most_added) return false;
+    double middle = last_ + (p - last_) / 2;
+    constexpr double aside = 0.37;
+    if (is_critical(middle)) middle = last_ + aside * (p - last_);
+    ++added_;
+    const auto states = between_(middle);
+    if (!states) return false;
+    go_on_to(middle, sampled(*states));
+    return true;
+  }
+
+  void take(const Continuation& next, std::span<const SampledState> points, double p) {
     std::vector<std::size_t> still_open;
     std::vector<bool> used(points.size()), goes_on(open_.size());
-    for (const Pair& pair : pairs(points, p)) {
-      if (used[pair.point] || goes_on[pair.open]) continue;
-      used[pair.point] = goes_on[pair.open] = true;
-      append(result_[open_[pair.open]], p, points[pair.point]);
-      still_open.push_back(open_[pair.open]);
+    for (const auto& [open, point] : next.pairs) {
+      used[point] = goes_on[open] = true;
+      append(result_[open_[open]], p, points[point]);
+      still_open.push_back(open_[open]);
+    }
+    for (const auto& [open, c] : next.ends) {
+      goes_on[open] = true;
+      append(result_[open_[open]], c->value, point_of(*c));
+    }
+    for (const auto& [point, c] : next.begins) {
+      used[point] = true;
+      still_open.push_back(begin(p, points[point], c));
     }
     for (std::size_t i = 0; i < open_.size(); ++i) {
       if (!goes_on[i]) end_at_critical(open_[i], p);
     }
     for (std::size_t i = 0; i < points.size(); ++i) {
-      if (!used[i]) still_open.push_back(begin(p, points[i]));
+      if (!used[i]) still_open.push_back(begin(p, points[i], critical_near(points[i].x, last_, p)));
     }
     last_ = p;
     open_ = std::move(still_open);
@@ -171,11 +280,9 @@ class Tracer {
     return {{c.y.begin(), c.y.begin() + static_cast<std::ptrdiff_t>(c.y.size() / 2)}, Stability::neutral};
   }
 
-  std::size_t begin(double p, const SampledState& point) {
+  std::size_t begin(double p, const SampledState& point, const CriticalValue* c) {
     EquilibriumBranch branch;
-    if (const CriticalValue* c = critical_near(point.x, last_, p); c != nullptr && c->value < p) {
-      append(branch, c->value, point_of(*c));
-    }
+    if (c != nullptr && c->value < p) append(branch, c->value, point_of(*c));
     append(branch, p, point);
     result_.push_back(std::move(branch));
     return result_.size() - 1;
@@ -188,9 +295,13 @@ class Tracer {
   }
 
   const EquilibriaAt& equilibria_at_;
+  const EquilibriaBetween& between_;
   std::span<const CriticalValue> critical_;
   const std::vector<bool>& turns_;
   std::span<const CurvePole> poles_;
+  const std::optional<OneCoordinate>& one_;
+  double least_step_{};
+  int added_{};  ///< columns, for a closer look
   std::vector<EquilibriumBranch> result_;
   std::vector<std::size_t> open_;  ///< branches that reach the last column
   double last_{-std::numeric_limits<double>::infinity()};
@@ -198,26 +309,30 @@ class Tracer {
 
 }  // namespace
 
-std::vector<EquilibriumBranch> branches(const EquilibriaAt& equilibria_at, double from, double to,
-                                        std::span<const CriticalValue> critical,
-                                        const std::vector<bool>& turns, std::span<const CurvePole> poles) {
-  return Tracer(equilibria_at, critical, turns, poles).run(from, to);
+std::vector<EquilibriumBranch> branches(const EquilibriaAt& equilibria_at, const EquilibriaBetween& between,
+                                        double from, double to, const KnownOfCurves& known) {
+  return Tracer(equilibria_at, between, known).run(from, to);
 }
 
 bool changes_between(std::span<const EquilibriumBranch> branches, std::span<const CriticalValue> critical,
                      std::span<const double> degenerate) {
-  return std::ranges::any_of(branches, [&](const EquilibriumBranch& branch) {
+  const auto changes_after = [&](const EquilibriumBranch& branch, std::size_t i) {
     const std::vector<double>& p = branch.parameter;
-    for (std::size_t i = 0; i + 1 < p.size(); ++i) {
-      if (branch.stability[i] == branch.stability[i + 1]) continue;
-      // Next to a critical value rounding may hide which it is.
-      const auto [low, high] = std::minmax(p[i > 0 ? i - 1 : 0], p[std::min(i + 2, p.size() - 1)]);
-      const auto is_near = [low = low, high = high](const CriticalValue& c) {
-        return c.value + c.error >= low && c.value - c.error <= high;
-      };
-      const auto is_between = [low = low, high = high](double p) { return p >= low && p <= high; };
-      if (std::ranges::none_of(critical, is_near) && std::ranges::none_of(degenerate, is_between))
-        return true;
+    if (branch.stability[i] == branch.stability[i + 1]) return false;
+    // Next to a critical value rounding may hide which it is.
+    std::size_t first = i, last = i + 1;
+    while (first > 0 && branch.stability[first] == Stability::neutral) --first;
+    while (last + 1 < p.size() && branch.stability[last] == Stability::neutral) ++last;
+    const double low = p[first > 0 ? first - 1 : 0], high = p[std::min(last + 1, p.size() - 1)];
+    const auto is_near = [&](const CriticalValue& c) {
+      return c.value + c.error >= low && c.value - c.error <= high;
+    };
+    const auto is_between = [&](double value) { return value >= low && value <= high; };
+    return std::ranges::none_of(critical, is_near) && std::ranges::none_of(degenerate, is_between);
+  };
+  return std::ranges::any_of(branches, [&](const EquilibriumBranch& branch) {
+    for (std::size_t i = 0; i + 1 < branch.parameter.size(); ++i) {
+      if (changes_after(branch, i)) return true;
     }
     return false;
   });
