@@ -142,6 +142,7 @@ std::optional<std::vector<std::string>> AssumedSigns::separating(const Tried& tr
       }
     }
   }
+  try_unbroken(all, other_tries > 0);
   Chosen chosen = that_tell(all);
   for (int round = 0; round < rounds && chosen; ++round) {
     if (!is_refuted(all, *chosen, other_tries > 0, random)) break;

@@ -32,6 +32,9 @@ class AssumedSigns {
 
   /// Its sign counts as asked for.
   void ask(const Expression& e);
+  /// At least one of those that are positive here is assumed, unless one is known to be: all of them are
+  /// known to fail together somewhere. After let_go().
+  void ask_one_of(const std::vector<Expression>& conditions);
   /// So do those of what has to be positive for it to be real.
   void ask_for_value_of(const Expression& e);
 
@@ -81,6 +84,10 @@ class AssumedSigns {
   void relate(FarPlace& place) const;
   using Chosen = std::optional<std::vector<std::size_t>>;  ///< numbers of what is open
   [[nodiscard]] Chosen that_tell(Tries& all) const;
+  [[nodiscard]] std::optional<FarPlace> with_factor(FarPlace place, std::size_t i, double factor) const;
+  bool try_past(const Expression& positive, const FarPlace& from, std::size_t i, double step, Tries& all,
+                bool by_others) const;
+  void try_unbroken(Tries& all, bool by_others) const;
   bool is_refuted(Tries& all, const std::vector<std::size_t>& chosen, bool by_others,
                   std::minstd_rand& random);
   [[nodiscard]] bool hold_at(const std::vector<std::size_t>& chosen, const FarPlace& place) const;
@@ -113,6 +120,7 @@ class AssumedSigns {
   std::set<std::pair<NodeId, int>> seen_;
   std::vector<FarPlace> far_;
   std::vector<Open> open_;
+  std::vector<std::vector<Expression>> one_of_;  ///< of each of these is needed
 };
 
 /// What is positive inside a coordinate's domain: of an end that is 0.

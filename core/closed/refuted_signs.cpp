@@ -8,8 +8,21 @@
 
 namespace qdot {
 
+void AssumedSigns::ask_one_of(const std::vector<Expression>& conditions) {
+  std::vector<Expression> alternatives;
+  for (const Expression& e : conditions) {
+    const Real value = values_.value(e);
+    if (!(value.value > value.error)) continue;
+    const auto positive = sign_of(e) > 0 ? std::nullopt : positive_of(e, 1);
+    if (!positive) return;
+    ask(e);
+    alternatives.push_back(*positive);
+  }
+  one_of_.push_back(std::move(alternatives));
+}
+
 AssumedSigns::Chosen AssumedSigns::that_tell(Tries& all) const {
-  if (std::ranges::find(all.holds, false) == all.holds.end()) return Chosen{std::in_place};
+  if (one_of_.empty() && std::ranges::find(all.holds, false) == all.holds.end()) return Chosen{std::in_place};
   all.broken.resize(open_.size());
   for (std::size_t i = 0; i < open_.size(); ++i) {
     for (std::size_t place = all.broken[i].size(); place < all.places.size(); ++place) {
@@ -18,7 +31,15 @@ AssumedSigns::Chosen AssumedSigns::that_tell(Tries& all) const {
       all.broken[i].push_back(!says_nothing && !(value > 0));
     }
   }
-  return qdot::separating(all.broken, all.holds);
+  // Where all of these fail, the claim does, too: a place that need not be found.
+  std::vector<std::vector<bool>> broken = all.broken;
+  std::vector<bool> holds = all.holds;
+  for (const std::vector<Expression>& conditions : one_of_) {
+    holds.push_back(false);
+    for (std::size_t i = 0; i < open_.size(); ++i)
+      broken[i].push_back(std::ranges::find(conditions, open_[i].e) != conditions.end());
+  }
+  return qdot::separating(broken, holds);
 }
 
 namespace {
@@ -45,6 +66,58 @@ double holding_part(const Holds& holds) {
 }
 
 }  // namespace
+
+/// The place with one of its numbers so many times as large; none where that is nothing to try.
+std::optional<FarPlace> AssumedSigns::with_factor(FarPlace place, std::size_t i, double factor) const {
+  if (i < values_.symbols().size()) {
+    const Parameter& p = values_.model().scene.parameters[i];
+    const double x = place[i].second.value * factor;
+    if (x == 0 || !p.domain.contains(x) || values_.model().parsed.exponents.put_in.contains(p.name))
+      return std::nullopt;
+  }
+  place[i].second = place[i].second.value * factor;
+  return place;
+}
+
+/// Tries what lies just past where it is broken, on the way from the place that one number makes by itself.
+/// Whether there is such a place.
+bool AssumedSigns::try_past(const Expression& positive, const FarPlace& from, std::size_t i, double step,
+                            Tries& all, bool by_others) const {
+  constexpr int most_steps = 6;
+  const auto holds = [&](double steps) {
+    const auto made = with_factor(from, i, power(step, steps));
+    const auto place = made ? other_place(*made, by_others) : std::nullopt;
+    return !place || !is_broken(positive, *place);
+  };
+  int broken = 1;
+  while (broken <= most_steps && holds(broken)) ++broken;
+  if (broken > most_steps) return false;
+  const double border = broken - 1 + holding_part([&](double part) { return holds(broken - 1 + part); });
+  for (const double beyond : {0.01, 0.1, 0.5}) {
+    const auto made = with_factor(from, i, power(step, border + beyond));
+    const auto place = made ? other_place(*made, by_others) : std::nullopt;
+    if (place) all.add(*place, *made);
+  }
+  return true;
+}
+
+/// A condition that no draw breaks is needed all the same where draws do not come so far: V(x0) > V(0) of a
+/// start far outside of a double well.
+void AssumedSigns::try_unbroken(Tries& all, bool by_others) const {
+  constexpr std::size_t most_starts = 3;
+  constexpr double step = 10;
+  const std::vector<FarPlace> places = all.places;
+  for (const Open& open : open_) {
+    const auto breaks = [&](const FarPlace& place) { return is_broken(open.e, place); };
+    if (std::ranges::any_of(places, breaks)) continue;
+    for (std::size_t k = 0; k < std::min(most_starts, places.size()); ++k) {
+      for (std::size_t i = 0; i < places[k].size(); ++i) {
+        if (!try_past(open.e, places[k], i, step, all, by_others))
+          (void)try_past(open.e, places[k], i, 1 / step, all, by_others);
+      }
+    }
+  }
+}
 
 bool AssumedSigns::hold_at(const std::vector<std::size_t>& chosen, const FarPlace& place) const {
   return std::ranges::none_of(chosen, [&](std::size_t i) { return is_broken(open_[i].e, place); });

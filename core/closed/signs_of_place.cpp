@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <array>
 
 #include "core/closed/assumed_signs.hpp"
@@ -28,6 +29,46 @@ std::vector<Expression> kinks_of(const LinearMotions& motions) {
   return kinks;
 }
 
+/// What forces take even roots and logarithms of: elsewhere they have no value, even where they would vanish.
+std::vector<Expression> taken_roots_of(const LinearMotions& motions) {
+  Graph& graph = *motions.graph;
+  std::vector<NodeId> forces;
+  for (const Expression& force : motions.forces) forces.push_back(force.id());
+  std::vector<Expression> taken_of;
+  for (const NodeId id : reachable(graph, forces)) {
+    const auto* power = std::get_if<Power>(&graph.node(id));
+    const auto* call = std::get_if<Call>(&graph.node(id));
+    if (power != nullptr && (power->exponent.denominator() / Number(2)).is_integer())
+      taken_of.emplace_back(graph, power->base);
+    else if (call != nullptr && call->function == Function::log)
+      taken_of.emplace_back(graph, call->argument);
+  }
+  std::erase_if(taken_of, [&](const Expression& e) { return !depends_on(e, motions.x); });
+  return taken_of;
+}
+
+/// That h^2 > 4 a^2 is told as h > 2 a, which takes both to be positive: of parameters that the place itself
+/// does not speak of.
+std::vector<std::string> signs_under(const std::vector<Expression>& taken_of, const ExactPlace& place,
+                                     const ExactValues& values) {
+  std::vector<std::string> signs;
+  const auto is_told = [&](const Expression& p) {
+    return std::ranges::any_of(taken_of, [&](const Expression& e) {
+      return std::holds_alternative<Sum>(e.node()) && depends_on(e, p);
+    });
+  };
+  for (std::size_t i = 0; i < values.symbols().size(); ++i) {
+    const Expression& p = values.symbols()[i];
+    const Parameter& parameter = values.model().scene.parameters[i];
+    const bool is_said =
+        std::ranges::any_of(place.x(), [&](const Expression& x) { return depends_on(x, p); });
+    const double value = values.parameters()[i];
+    if (!is_told(p) || is_said || value == 0 || !parameter.domain.contains(-value)) continue;
+    signs.push_back(parameter.name + (value < 0 ? " < 0" : " > 0"));
+  }
+  return signs;
+}
+
 }  // namespace
 
 std::vector<std::string> assumed_at(const LinearMotions& motions, const ExactPlace& place,
@@ -49,6 +90,9 @@ std::vector<std::string> assumed_at(const LinearMotions& motions, const ExactPla
     for (std::size_t k = 0; k < motions.x.size(); ++k) there.emplace_back(motions.x[k], place.x()[k]);
     signs.ask(substitute(kink, there));
   }
+  std::vector<Expression> taken_of;
+  for (const Expression& each : taken_roots_of(motions)) taken_of.push_back(place.at(each));
+  for (const Expression& each : taken_of) signs.ask(each);
   for (const Expression& x : place.x()) signs.ask_for_value_of(x);
   if (!signs.are_there()) return {};
   Trial trial(values, none);
@@ -62,7 +106,11 @@ std::vector<std::string> assumed_at(const LinearMotions& motions, const ExactPla
     const Expression& stiffness = motions.stiffness[0][0];
     trial.is_positive(values.value(stiffness).value < 0 ? -stiffness : stiffness);
   }
-  return signs.needed_for(trial);
+  std::vector<std::string> needed = signs.needed_for(trial);
+  if (needed.empty()) return needed;
+  const std::vector<std::string> under = signs_under(taken_of, place, values);
+  needed.insert(needed.begin(), under.begin(), under.end());
+  return needed;
 }
 
 }  // namespace qdot

@@ -7,11 +7,13 @@
 #include "core/closed/asked_of_turning.hpp"
 #include "core/closed/assumed_signs.hpp"
 #include "core/closed/barriers.hpp"
+#include "core/closed/even_ways.hpp"
 #include "core/closed/speed_at.hpp"
 #include "core/closed/trial.hpp"
 #include "core/expr/calculus.hpp"
 #include "core/expr/polynomial.hpp"
 #include "core/expr/print/print.hpp"
+#include "core/expr/rational_function.hpp"
 #include "core/expr/special_angles.hpp"
 
 namespace qdot {
@@ -178,7 +180,7 @@ class End {
     ask_coefficients(problem_.potential, equation_.x, signs);
     ask_parts(place_, signs);
     ask_about(equation_, problem_, signs);
-    if (const auto x0 = equation_.start()) ask_between(problem_, Number::ratio(1, 2) * (*x0 + place_), signs);
+    if (const auto x0 = equation_.start()) ask_of_way(*x0, signs);
     ask_values(place_, signs);
     return real_if_possible([&](bool only_real) {
       return with_force_at_start(equation_, problem_, by_start_, signs, [&] {
@@ -191,6 +193,13 @@ class End {
   }
 
  private:
+  /// From the start to the end, which is as far from 0 where the potential is even.
+  void ask_of_way(const Expression& x0, AssumedSigns& signs) const {
+    const Expression both = x0 + place_;
+    ask_between(problem_, Number::ratio(1, 2) * both, signs);
+    if (rational_function(both).is_zero()) ask_about_hills(problem_, x0, equation_.values, signs);
+  }
+
   /// It claims nothing where the formula has no value, or the motion begins elsewhere than is said.
   [[nodiscard]] std::optional<Claim> holds_at(const FarPlace& far, bool only_real) {
     if (!said_->is_as_said(far)) return std::nullopt;

@@ -11,14 +11,16 @@
 namespace qdot {
 namespace {
 
-/// What has a root in the equations.
+/// What has a root in the equations, or stands below.
 std::vector<Expression> radicands(std::span<const Expression> equations, std::span<const Expression> x) {
   std::vector<Expression> found;
   for (const Expression& e : equations) {
     const NodeId root = e.id();
     for (const NodeId id : reachable(e.graph(), {&root, 1})) {
       const auto* power = std::get_if<Power>(&e.graph().node(id));
-      if (power == nullptr || !(power->exponent.denominator() == Number(2))) continue;
+      if (power == nullptr) continue;
+      const bool is_below = power->exponent.is_integer() && power->exponent.is_negative();
+      if (!is_below && power->exponent.denominator() != Number(2)) continue;
       const Expression base(e.graph(), power->base);
       if (depends_on(base, x) && std::ranges::find(found, base) == found.end()) found.push_back(base);
     }
@@ -41,17 +43,23 @@ class ConeDerivation {
 
   std::optional<ConeForms> at(const Expression& radicand) {
     if (!locate(radicand)) return std::nullopt;
-    std::vector<Expression> slopes, along_r;
+    std::vector<Polynomial> by_r;
+    int order = 1;
     for (const Expression& g : equations_) {
-      const std::optional<Expression> h = times_distance(g, radicand);
-      if (!h) return std::nullopt;
-      for (const Expression& x : unknowns_) slopes.push_back(differentiate(*h, x));
-      along_r.push_back(differentiate(*h, r_));
+      by_r.push_back(by_distance(g, radicand));
+      for (const auto& term : by_r.back()) order = std::max(order, -exponent_of(term.first, r_.id()));
+    }
+    std::vector<Expression> slopes, along_r;
+    for (const Polynomial& terms : by_r) {
+      const Expression h = to_expression(graph_, scaled(terms, {{r_.id(), order, 1}}, Number(1)));
+      if (!vanishes_at_cone(h)) return std::nullopt;
+      for (const Expression& x : unknowns_) slopes.push_back(differentiate(h, x));
+      along_r.push_back(differentiate(h, r_));
     }
     slopes.insert(slopes.end(), along_r.begin(), along_r.end());
     std::vector<Expression> place = place_;
     place.insert(place.end(), weights_.begin(), weights_.end());
-    return ConeForms{compiled(place), compiled(slopes)};
+    return ConeForms{compiled(place), compiled(slopes), order > 1};
   }
 
  private:
@@ -78,22 +86,16 @@ class ConeDerivation {
     return simplify(expand(substitute(e, at_cone_))).is_zero();
   }
 
-  /// h of g, where it vanishes at the cone.
-  std::optional<Expression> times_distance(const Expression& g, const Expression& radicand) {
-    std::vector<Replacement> by_distance;
+  /// With powers of r for those of the radicand.
+  [[nodiscard]] Polynomial by_distance(const Expression& g, const Expression& radicand) const {
+    std::vector<Replacement> powers;
     const NodeId root = g.id();
     for (const NodeId id : reachable(graph_, {&root, 1})) {
       const auto* power = std::get_if<Power>(&graph_.node(id));
       if (power != nullptr && power->base == radicand.id())
-        by_distance.emplace_back(Expression(graph_, id), pow(r_, Number(2) * power->exponent));
+        powers.emplace_back(Expression(graph_, id), pow(r_, Number(2) * power->exponent));
     }
-    const Polynomial terms = multiplied_out(substitute(g, by_distance));
-    const Monomial distance{{r_.id(), 1, 1}};
-    for (const auto& [monomial, coefficient] : terms) {
-      if (exponent_of(monomial, r_.id()) < -1) return std::nullopt;
-    }
-    const Expression h = to_expression(graph_, scaled(terms, distance, Number(1)));
-    return vanishes_at_cone(h) ? std::optional(h) : std::nullopt;
+    return multiplied_out(substitute(g, powers));
   }
 
   [[nodiscard]] CompiledFunction compiled(const std::vector<Expression>& expressions) {

@@ -13,6 +13,7 @@ namespace qdot {
 struct ConeForms {
   CompiledFunction place;   ///< p_j, then a_j
   CompiledFunction slopes;  ///< C by rows, then f
+  bool is_pole{};           ///< forces grow without bound towards it
 };
 
 /// Of those `equations` of which there are as many as `unknowns`, in one graph; `x`: all coordinates. Cones

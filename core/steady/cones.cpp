@@ -57,7 +57,8 @@ class ConeDecision {
     solve_linear(n_, c, n);
     Interval length(0);
     for (std::size_t j = 0; j < n_; ++j) length = length + weights_[j] * square(n[j]);
-    if (length.lower > 1) return AtCone::nothing;
+    if (length.lower > 1 || (length.upper < 1 && forms_.is_pole)) return AtCone::nothing;
+    if (forms_.is_pole) return AtCone::undecided;
     if (!(length.upper < 1) || !problem_.forces->symmetric) return AtCone::undecided;
     return by_definiteness(c, n_);
   }
@@ -79,7 +80,8 @@ std::vector<Cone> cones_of(const SteadyProblem& problem) {
       cone = decision.within(reach);
       if (cone.what != AtCone::undecided) break;
     }
-    result.push_back(std::move(cone));
+    const bool is_unknown_pole = forms.is_pole && cone.what == AtCone::undecided;
+    if (!is_unknown_pole) result.push_back(std::move(cone));  // the search comes to it itself
   }
   return result;
 }

@@ -93,6 +93,18 @@ class AssumedSigns(Service):
             (rest,) = self.ask("equilibria", {"system": system})["equilibria"]
             self.assertEqual(rest["exact"]["x"]["assumes"], free["exact"]["x"]["assumes"] + [needed])
 
+    def test_a_place_assumes_that_roots_and_logarithms_in_the_forces_have_values_there(self):
+        bifilar = "m*a^2*x_dot^2/6 + m*g*sqrt(h^2 - 4*a^2*sin(x/2)^2)"
+        system = lagrangian("bifilar", "m - 1; g - 9.81; a - 0.2; h - 1", "x - 0.1", bifilar)
+        system["coordinates"][0]["unit"] = "rad"
+        hanging, turned = self.ask("equilibria", {"system": system})["equilibria"]
+        self.assertEqual((turned["exact"]["x"]["text"], turned["exact"]["x"]["assumes"]), ("pi", ["a > 0", "h > 0", "h > 2*a"]))
+        self.assertEqual(hanging["exact_rate2"]["assumes"], ["g > 0", "h > 0"])
+        for potential, needed in (("k*(x - a)^2*log(h - x)", "h > a"), ("k*(x - a)^2*sqrt(h - x)", "h > a")):
+            places = [rest["exact"]["x"] for rest in self.rests(potential, "m - 1; k - 1; a - 0.2; h - 1", 0.1) if "exact" in rest]
+            (at_a,) = [place for place in places if place["text"] == "a"]
+            self.assertIn(needed, at_a["assumes"], potential)
+
     def test_the_sign_that_a_root_or_a_size_took_is_assumed_where_its_parameter_cancels(self):
         for parameters, potential, cancelled in (
                 ("m - 1; k - 3; q - 2; d - 0.5", "k/2*(sqrt(x^2 + d^2) - d)^2 + q*x^2/2", "d > 0"),

@@ -49,6 +49,30 @@ class Cones(Service):
                                  "x 0.3; y 0.3; z 0.2")
         self.assert_lists(answer, [((1, 0, -0.3), "stable"), ((1, 0, 1.7), "unstable")])
 
+    def test_nothing_rests_about_a_pole(self):
+        between = 3 - 2*math.sqrt(2)  # q1/(1 - x)^2 = q2/(1 + x)^2
+        charges = "q1/sqrt((x - 1)^2 + y^2) + q2/sqrt((x + 1)^2 + y^2)"
+        self.assert_lists(self.equilibria(charges, "q1 1; q2 2"), [((between, 0), "unstable")])
+        self.assert_lists(self.equilibria("q/(x^2 + y^2) - f*x", "q 2; f 4"), [((-1, 0), "unstable")])
+        self.assert_lists(self.equilibria("-q*log(x^2 + y^2) + x^2/2 + y^2", "q 1", "x 0.3; y 0.2"),
+                          [((-math.sqrt(2), 0), "stable"), ((math.sqrt(2), 0), "stable"), ((0, -1), "unstable"), ((0, 1), "unstable")])
+        space = "q1/sqrt((x - 1)^2 + y^2 + z^2) + q2/sqrt((x + 1)^2 + y^2 + z^2)"
+        self.assert_lists(self.equilibria(space, "q1 1; q2 2", "x 0.3; y 0.3; z 0.2"), [((between, 0, 0), "unstable")])
+
+    def test_three_bodies_have_five_equilibria_and_no_other(self):
+        text = ("(x_dot^2 + y_dot^2)/2 + x*y_dot - y*x_dot + (x^2 + y^2)/2"
+                " + (1 - mu)/sqrt((x + mu)^2 + y^2) + mu/sqrt((x - 1 + mu)^2 + y^2)")
+        for mu in ("0.1", "0.01215", "0.3", "0.5"):
+            system = lagrangian("three_bodies", f"mu - {mu}", "x - 0.3; y - 0.2", text)
+            answer = self.ask("equilibria", {"system": system})
+            self.assertTrue(answer["complete"], answer.get("reason"))
+            self.assertEqual(len(answer["equilibria"]), 5, mu)
+
+    def test_a_pole_whose_forces_may_vanish_about_it_is_said_to_be_one(self):
+        answer = self.equilibria("q*x/(x^2 + y^2) + x^2 + y^2", "q 1", "x 0.3; y 0.2")
+        self.assertFalse(answer["complete"])
+        self.assertIn("is a singularity", answer["reason"])
+
     def test_a_tension_holds_what_pulls_less(self):
         draw = random.Random(20261127)
         for _ in range(CASES):
