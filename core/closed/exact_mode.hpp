@@ -1,7 +1,9 @@
 #pragma once
 // The formulas of one mode, those of them that it has.
 
+#include <algorithm>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "core/closed/closed_form.hpp"
@@ -21,5 +23,22 @@ struct ExactMode {
   std::optional<ClosedForm> damping{};              ///< the rate at which an oscillation decays or grows
   bool creeps{};                                    ///< friction leaves no oscillation
 };
+
+/// Of each form, in its place.
+template <class Take>
+void for_each_form(ExactMode& mode, const Take& take) {
+  take(mode.square);
+  for (auto* other : {&mode.rate, &mode.period, &mode.lambda, &mode.damping}) {
+    if (*other) take(**other);
+  }
+  for (auto* shape : {&mode.shape, &mode.scaled_shape}) std::ranges::for_each(*shape, take);
+}
+
+/// All of its forms assume these as well.
+inline void add_conditions(const std::vector<std::string>& conditions, ExactMode& mode) {
+  for_each_form(mode, [&](ClosedForm& form) {
+    form.assumes.insert(form.assumes.end(), conditions.begin(), conditions.end());
+  });
+}
 
 }  // namespace qdot

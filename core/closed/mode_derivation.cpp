@@ -40,19 +40,6 @@ void add(const std::vector<std::string>& conditions, ClosedForm& form) {
   form.assumes.insert(form.assumes.end(), conditions.begin(), conditions.end());
 }
 
-template <class Take>
-void for_each_form(ExactMode& form, const Take& take) {
-  take(form.square);
-  for (auto* other : {&form.rate, &form.period, &form.lambda, &form.damping}) {
-    if (*other) take(**other);
-  }
-  for (auto* shape : {&form.shape, &form.scaled_shape}) std::ranges::for_each(*shape, take);
-}
-
-void add(const std::vector<std::string>& conditions, ExactMode& form) {
-  for_each_form(form, [&](ClosedForm& f) { add(conditions, f); });
-}
-
 /// Symbols that may have any value.
 std::vector<Expression> given_at(const LinearMotions& motions, const ExactPlace& place) {
   std::vector<Expression> given = place.undecided();
@@ -115,7 +102,7 @@ ModeForms ModeDerivation::forms(const LinearMode& mode) {
     add(needed(mode, {}), of_lambda);
     result.form.lambda_assumes = of_lambda.assumes;
   }
-  add(conditions, result.form);
+  add_conditions(conditions, result.form);
   return result;
 }
 
@@ -186,7 +173,7 @@ std::vector<ModeForms> ModeDerivation::damped_forms(const LinearMode& mode) {
     add_shape(mode, *forms);
     add_signs_of_place(forms->form);
     const Expression damping = values_.sign(*forms->decay) < 0 ? -*forms->decay : *forms->decay;
-    add(needed(mode, {forms->root, damping}), forms->form);
+    add_conditions(needed(mode, {forms->root, damping}), forms->form);
     result.push_back(*std::move(forms));
   }
   return result;

@@ -18,14 +18,17 @@ constexpr std::size_t largest_block = 5;
 class RollingRates {
  public:
   RollingRates(const ExactValues& values, std::vector<Expression> given)
-      : values_(values), graph_(*values.graph()), given_(std::move(given)) {}
+      : values_(values), graph_(*values.graph()), given_(std::move(given)), signs_(values, none_, given_) {}
 
   void add(std::vector<RationalFunction> c) {
     while (c.size() > 1 && c.front().is_zero()) c.erase(c.begin());
     if (c.size() == 2) creeping(written(Surd(c[0])));
     if (c.size() == 3) of_quadratic(c[0], c[1]);
     if (c.size() != 5 || !c[1].is_zero() || !c[3].is_zero()) return;
-    for (const Surd& lambda : quadratic_roots(c[4], -c[2], c[0])) of_square(lambda);
+    for (const Surd& lambda : quadratic_roots(c[4], -c[2], c[0])) {
+      const Expression e = plain_expression(graph_, lambda), of_e = to_expression(graph_, c[2]);
+      of_square(lambda, {to_expression(graph_, c[4]) * e * e, -(of_e * e), to_expression(graph_, c[0])});
+    }
   }
   [[nodiscard]] const std::vector<ModeForms>& found() const { return found_; }
 
@@ -39,6 +42,17 @@ class RollingRates {
     auto form = closed_form(values_, e, {}, given_);
     if (form) assume_signs(*form, values_, e, given_);
     return form;
+  }
+
+  using Terms = std::vector<Expression>;
+
+  /// With what has to be assumed for these to be positive, and for the terms to vanish.
+  void take(ModeForms mode, const std::vector<Expression>& positive, const Terms& vanishing) {
+    Trial trial(values_, none_);
+    for (const Expression& e : positive) trial.is_positive(e);
+    if (!vanishing.empty()) trial.vanishes(vanishing);
+    if (signs_.are_there()) add_conditions(signs_.needed_for(trial), mode.form);
+    found_.push_back(std::move(mode));
   }
 
   [[nodiscard]] Expression root_of(const Surd& square) const {
@@ -62,47 +76,50 @@ class RollingRates {
     for (const int side : {1, -1}) creeping(rate + Number(side) * root);
   }
 
-  /// s^2 = -lambda.
-  void of_square(const Surd& lambda) {
+  /// s^2 = -lambda, where the terms say of lambda what it is.
+  void of_square(const Surd& lambda, const Terms& vanishing = {}) {
     const int sign = values_.sign(plain_expression(graph_, lambda));
     if (sign == 0) return;
     const Surd square = sign > 0 ? lambda : -lambda;
     const Expression root = root_of(square);
-    if (sign > 0) return undamped(square, root);
-    creeping(root);
-    creeping(-root);
+    if (sign > 0) return undamped(square, root, vanishing);
+    creeping(root, vanishing);
+    creeping(-root, vanishing);
   }
 
-  void undamped(const Surd& square, const Expression& root) {
+  void undamped(const Surd& square, const Expression& root, const Terms& vanishing) {
     auto of_square = formula(written(square));
     const auto of_root = formula(root);
     if (!of_square) return;
     const auto period = formula(Number(2) * graph_.symbol("pi") / root);
-    found_.push_back(
-        {root, true, {.square = *std::move(of_square), .rate = of_root, .period = period}, {}, {}});
+    take({root, true, {.square = *std::move(of_square), .rate = of_root, .period = period}, {}, {}}, {root},
+         vanishing);
   }
 
   void swinging(const Surd& square, const Expression& decay) {
     const Expression omega = root_of(square);
     const int sign = values_.sign(decay);
+    const Expression rate = sign < 0 ? -decay : decay;
     auto of_square = formula(written(square));
-    const auto of_omega = formula(omega), of_rate = formula(sign < 0 ? -decay : decay);
+    const auto of_omega = formula(omega), of_rate = formula(rate);
     if (sign == 0 || !of_square || !of_omega || !of_rate) return;
-    found_.push_back(
-        {omega, true, {.square = *std::move(of_square), .rate = of_omega, .damping = of_rate}, {}, decay});
+    take({omega, true, {.square = *std::move(of_square), .rate = of_omega, .damping = of_rate}, {}, decay},
+         {omega, rate}, {});
   }
 
-  void creeping(const Expression& decay) {
+  void creeping(const Expression& decay, const Terms& vanishing = {}) {
     const int sign = values_.sign(decay);
     const Expression size = sign < 0 ? -decay : decay;
     auto form = formula(size);
     if (sign != 0 && form)
-      found_.push_back({size, false, {.square = *std::move(form), .creeps = true}, {}, decay});
+      take({size, false, {.square = *std::move(form), .creeps = true}, {}, decay}, {size}, vanishing);
   }
 
   const ExactValues& values_;
   Graph& graph_;
+  const Relations none_;
   std::vector<Expression> given_;
+  AssumedSigns signs_;
   std::vector<ModeForms> found_;
 };
 

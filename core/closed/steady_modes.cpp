@@ -39,20 +39,35 @@ class ModeByPlace {
     const Expression above = stiffness->slope * force->rest - stiffness->rest * force->slope;
     const Expression below = stiffness->below * force->slope * inertia_;
     const std::vector<Expression> roots = roots_of(above, below, graph_.number(0), values_.sign_of());
-    if (roots.empty() || !holds(-force->rest / force->slope, roots[0])) return std::nullopt;
+    if (roots.empty()) return std::nullopt;
+    const Expression momentum2 = -force->rest / force->slope;
+    Trial trial = claims(momentum2, roots[0]);
     const int sign = values_.sign(roots[0]);
-    return sign == 0 ? std::nullopt : written(Number(sign) * roots[0], sign > 0);
+    if (sign == 0 || !trial.passes()) return std::nullopt;
+    auto result = written(Number(sign) * roots[0], sign > 0);
+    if (result) add_signs(momentum2, Number(sign) * roots[0], trial, *result);
+    return result;
   }
 
  private:
-  /// At other values of the parameters, too.
-  [[nodiscard]] bool holds(const Expression& square, const Expression& lambda) const {
+  [[nodiscard]] Trial claims(const Expression& momentum2, const Expression& lambda) const {
     Trial trial(values_, none_);
-    trial.set({x_}, {graph_.number(Number::real(values_.value(x_).value))});
-    trial.set({p_}, {sqrt(square)});
+    trial.set_given({x_});
+    trial.set({p_}, {sqrt(momentum2)});
     trial.vanishes(terms_of(force_));
     trial.vanishes({stiffness_, -(inertia_ * lambda)});
-    return trial.passes();
+    return trial;
+  }
+
+  /// That some momentum holds it there, which the formula itself does not say, and that lambda has its sign.
+  void add_signs(const Expression& momentum2, const Expression& square, Trial& trial, ModeForms& mode) const {
+    AssumedSigns signs(values_, none_, {x_});
+    signs.ask(momentum2);
+    const std::vector<std::string> of_place = signs.needed_for(trial);
+    trial.is_positive(square);
+    mode.form.lambda_assumes = mode.form.square.assumes;
+    mode.form.lambda_assumes->insert(mode.form.lambda_assumes->end(), of_place.begin(), of_place.end());
+    add_conditions(signs.needed_for(trial), mode.form);
   }
 
   [[nodiscard]] std::optional<ClosedForm> formula(const Expression& e) const {

@@ -1,6 +1,7 @@
 #include <algorithm>
 
 #include "core/closed/assumed_signs.hpp"
+#include "core/expr/print/print.hpp"
 
 namespace qdot {
 
@@ -62,26 +63,29 @@ std::vector<std::size_t> AssumedSigns::with_needed_elsewhere(std::vector<std::si
   return needed;
 }
 
-std::optional<FarPlace> AssumedSigns::with_other_sign(FarPlace place, std::size_t parameter) const {
-  const Parameter& p = values_.model().scene.parameters[parameter];
-  const Expression& symbol = values_.symbols()[parameter];
-  const double other = -place[parameter].second.value;
+/// Of a parameter, or of what is given beside them, which any value may have.
+std::optional<FarPlace> AssumedSigns::with_other_sign(FarPlace place, std::size_t number) const {
+  const Expression symbol = place[number].first;
+  const double other = -place[number].second.value;
   const bool is_related = std::ranges::find(relations_.replacements, symbol, &Replacement::first) !=
                           relations_.replacements.end();
-  if (is_related || sign_of(symbol) == 0 || !p.domain.contains(other) ||
-      values_.model().parsed.exponents.put_in.contains(p.name))
-    return std::nullopt;
-  place[parameter].second = Real(other);
+  if (is_related || sign_of(symbol) == 0) return std::nullopt;
+  if (number < values_.symbols().size()) {
+    const Parameter& p = values_.model().scene.parameters[number];
+    const bool is_exponent = values_.model().parsed.exponents.put_in.contains(p.name);
+    if (!p.domain.contains(other) || is_exponent) return std::nullopt;
+  }
+  place[number].second = Real(other);
   relate(place);
   return place;
 }
 
-/// Whether some claim fails with the parameter's other sign, and not at the same place with its own.
-bool AssumedSigns::is_sign_needed(std::size_t parameter, const Trial& trial,
+/// Whether some claim fails with the symbol's other sign, and not at the same place with its own.
+bool AssumedSigns::is_sign_needed(std::size_t number, const Trial& trial,
                                   const std::vector<std::size_t>& needed) const {
   int tries = 4;
   for (std::size_t k = 0; k < far_.size() && tries > 0; ++k) {
-    const auto other = with_other_sign(far_[k], parameter);
+    const auto other = with_other_sign(far_[k], number);
     if (!other) return false;
     if (!hold_at(needed, *other)) continue;
     --tries;
@@ -95,10 +99,10 @@ std::vector<std::string> AssumedSigns::signs_needed_for(const Trial& trial) {
   if (are_there()) needed = numbers_needed_for([&](const FarPlace& place) { return trial.holds_at(place); });
   if (far_.empty()) find_far_places();
   std::vector<std::string> signs;
-  for (std::size_t i = 0; i < values_.symbols().size(); ++i) {
+  for (std::size_t i = 0; i < far_[0].size(); ++i) {
     if (!is_sign_needed(i, trial, needed)) continue;
-    const bool is_negative = sign_of(values_.symbols()[i]) < 0;
-    signs.push_back(values_.model().scene.parameters[i].name + (is_negative ? " < 0" : " > 0"));
+    const Expression& symbol = far_[0][i].first;
+    signs.push_back(print(symbol, Form::text) + (sign_of(symbol) < 0 ? " < 0" : " > 0"));
   }
   return signs;
 }

@@ -9,6 +9,7 @@
 #include "core/steady/mode_matrices.hpp"
 #include "core/steady/mode_search.hpp"
 #include "core/steady/mode_shapes.hpp"
+#include "core/steady/model_conditions.hpp"
 #include "core/steady/rolling_modes.hpp"
 #include "core/steady/steady_forces.hpp"
 #include "core/steady/steady_rolling.hpp"
@@ -200,13 +201,15 @@ std::vector<double> guess_on_surface(const SurfaceStatics& whole, const Dynamics
 }
 
 /// Whether the model holds there.
-bool is_valid(const Dynamics& dynamics, const Reals& parameters, const std::vector<double>& y) {
+bool is_valid(const Dynamics& dynamics, const Reals& parameters, const Modes& found) {
   const Scene& scene = dynamics.model().scene;
   for (std::size_t i = 0; i < scene.coordinates.size(); ++i)
-    if (!scene.coordinates[i].domain.contains(y[i])) return false;
+    if (!scene.coordinates[i].domain.contains(found.y[i])) return false;
   if (scene.valid_while.empty()) return true;
-  const auto conditions = values_at(dynamics, validity_columns(dynamics.model()), parameters, 0, y);
-  return std::ranges::all_of(conditions, [](double c) { return c >= 0; });
+  std::vector<Ball> state;
+  for (std::size_t i = 0; i < found.y.size(); ++i)
+    state.emplace_back(DoubleDouble(found.y[i]), found.y_error[i].value_or(0));
+  return conditions_hold(model_conditions(dynamics, parameters.as<Ball>(), state));
 }
 
 /// About the equilibrium downhill of `start`, where one is there.
@@ -254,7 +257,7 @@ Modes constrained_modes(const Dynamics& dynamics, const Reals& parameters, const
   const std::vector<double> start = guess_on_surface(whole, dynamics, parameters, constants, y);
   if (!guess) {
     auto found = modes_downhill(whole, constants, y, start);
-    if (found && is_valid(dynamics, parameters, found->y)) return *std::move(found);
+    if (found && is_valid(dynamics, parameters, *found)) return *std::move(found);
   }
   Modes found = SurfaceAnalysis(whole, constants, y).near(start).modes;
   if (!guess) found.arrival = Arrival::newton;

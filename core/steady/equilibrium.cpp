@@ -11,8 +11,8 @@
 #include "core/numerics/dense_matrix.hpp"
 #include "core/steady/equilibrium_family.hpp"
 #include "core/steady/gradient_flow.hpp"
+#include "core/steady/model_conditions.hpp"
 #include "core/steady/next_balance.hpp"
-#include "core/steady/steady_state.hpp"
 
 namespace qdot {
 namespace {
@@ -87,7 +87,8 @@ class NewtonSearch {
     const std::optional<VectorXd> low = is_at_rest(guess_) ? guess_ : descended();
     if (!low) return std::nullopt;
     const bool is_seen_only = only && *low != guess_;
-    auto found = from(*low, [&](const VectorXd& x) { return length(x - *low) < near_by && valid(x); });
+    auto found =
+        valid_one(from(*low, [&](const VectorXd& x) { return length(x - *low) < near_by && in_domain(x); }));
     if (!found) return std::nullopt;
     return FoundEquilibrium{*std::move(found), is_seen_only ? Arrival::seen_downhill : Arrival::downhill};
   }
@@ -102,6 +103,11 @@ class NewtonSearch {
       if (auto enclosed = enclosure(*found)) return enclosed;
     }
     return std::nullopt;
+  }
+
+  [[nodiscard]] std::optional<Equilibrium> valid_one(std::optional<Equilibrium> found) const {
+    if (found && !valid(*found)) return std::nullopt;
+    return found;
   }
 
   [[nodiscard]] bool depends_on_any(const Expression& x) const {
@@ -249,7 +255,7 @@ class NewtonSearch {
     const auto g = forces(start);
     const auto inverse = inverse_stiffness(start);
     if (g && inverse) start -= *inverse * *g;  // from where rounding hides it to the double next to it
-    return from(start, [&](const VectorXd& x) { return around->contains(x[i]) && valid(x); });
+    return valid_one(from(start, [&](const VectorXd& x) { return around->contains(x[i]) && in_domain(x); }));
   }
 
   [[nodiscard]] bool within(const VectorXd& x, double turn) const {
@@ -268,16 +274,17 @@ class NewtonSearch {
     return true;
   }
 
-  [[nodiscard]] bool valid(const VectorXd& x) const {
-    if (!in_domain(x)) return false;
+  /// Whether the model holds there.
+  [[nodiscard]] bool valid(const Equilibrium& place) const {
     const Scene& scene = dynamics_.model().scene;
-    const std::span<const double> at(x.data(), static_cast<std::size_t>(x.size()));
     if (scene.valid_while.empty()) return true;
-    const std::vector<double> y =
-        steady_state(statics_, constants_, at, std::vector<double>(2 * scene.coordinates.size()));
-    const std::span<const double> parameters(constants_.data(), scene.parameters.size());
-    const auto conditions = values_at(dynamics_, validity_columns(dynamics_.model()), parameters, 0, y);
-    return std::all_of(conditions.begin(), conditions.end(), [](double c) { return c >= 0; });
+    std::vector<Ball> y(2 * scene.coordinates.size());
+    for (std::size_t k = 0; k < place.x.size(); ++k) y[statics_.reduction.kept[k]] = place.x[k];
+    const std::vector<std::size_t>& ignored = statics_.reduction.ignored;
+    std::vector<Ball> rates(ignored.size());
+    TapeEvaluator<Ball>(statics_.ignored_rates, enclosed_constants_)(place.x, rates);
+    for (std::size_t c = 0; c < rates.size(); ++c) y[scene.coordinates.size() + ignored[c]] = rates[c];
+    return conditions_hold(model_conditions(dynamics_, enclosed_constants_, y));
   }
 
   std::optional<Equilibrium> enclosure(const VectorXd& start) {

@@ -154,6 +154,27 @@ class Equilibria(Service):
         omega = math.sqrt(9.81 / 0.7)
         self.assertEqual([round(e["im"], 9) for e in down["eigenvalues"]], [-round(omega, 9), round(omega, 9)])
 
+    def test_what_pushes_with_nothing_pushes_as_much_at_pi_as_at_0(self):
+        """A ladder that stands upright, on its head or not, does not touch the wall: W = 0 is no more below 0 than above."""
+        for length, push in itertools.product((0.7, 2, 3.1), ("W", "-W")):
+            ladder = {"name": "ladder", "units": "none",
+                      "parameters": [{"name": "l", "default": length}, {"name": "g", "default": 9.81}],
+                      "coordinates": [{"name": "x", "initial": "l/2*sin(0.2)"}, {"name": "y", "initial": "l/2*cos(0.2)"},
+                                      {"name": "th", "initial": 0.2, "unit": "rad"}],
+                      "lagrangian": "(x_dot^2 + y_dot^2)/2 + l^2*th_dot^2/24 - g*y",
+                      "constraints": [{"name": "wall", "expression": "x - l/2*sin(th)", "multiplier": "W"},
+                                      {"name": "floor", "expression": "y - l/2*cos(th)", "multiplier": "F"}],
+                      "valid_while": [{"name": "push", "expression": push, "reason": "off", "message": "It is off."},
+                                      {"name": "held", "expression": "F - 2*g", "reason": "off", "message": "It is off."},
+                                      {"name": "F", "expression": "F", "reason": "off", "message": "It is off."}]}
+            for place in self.places(ladder):
+                self.assertEqual((place["validity"]["push"], place["valid"]), (0, False))
+                self.assertLess(place["error"]["push"], 1e-13)
+                self.assertLessEqual(abs(place["validity"]["held"] + 9.81), place["error"]["held"] + 1e-15)
+                self.assertLess(place["error"]["validity/F"], 1e-13)  # beside that of the multiplier F
+            del ladder["valid_while"][1]
+            self.assertEqual([place["valid"] for place in self.places(ladder)], [True, True])
+
     def test_four_of_a_double_pendulum(self):
         found = self.places(scenes.DOUBLE_PENDULUM)
         self.assertEqual([p["stability"] for p in found], ["stable", "unstable", "unstable", "unstable"])

@@ -75,6 +75,8 @@ class RollingForms(Service):
         self.assertAlmostEqual(slow[0]["rate"], mpmath.sqrt(4*9.81/1.5 - 12*9/5.), 13)
         fast = self.only(DISK, "oscillation", parameters={"W": 7})
         self.assertEqual(fast["exact"]["text"], "4/5*(3*W^2 - g/r)")
+        for mode, condition in ((slow[0], "g > 3*r*W^2"), (slow[1], "g > 3*r*W^2"), (fast, "3*r*W^2 > g")):
+            self.assertEqual(sorted(mode["exact"]["assumes"]), sorted(["r > 0", "g > 0", "W > 0", condition]))
 
     def test_a_rate_that_is_left_out_is_said(self):
         # A disk that spins upright on its place is steady only seen from a frame that turns with it.

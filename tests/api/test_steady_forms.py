@@ -79,6 +79,33 @@ class SteadyForms(Service):
         self.assertEqual(place["text"], "p_phi^2/(m*k)")
         self.assertIn("p_phi > 0", self.ask("modes", {"system": system})["modes"][1]["exact"]["assumes"] + place["assumes"])
 
+    def test_what_holds_at_a_place_assumes_that_there_is_one(self):
+        """A charge on a sphere about a monopole of size b rests at acos(p/b); one of p < -b does not, nor does its b^2/m^2."""
+        sphere = {"name": "monopole", "units": "none",
+                  "parameters": [{"name": "m", "default": 1}, {"name": "b", "default": 1}],
+                  "coordinates": [{"name": "th", "initial": 1, "unit": "rad"}, {"name": "ph", "initial_rate": 0.4}],
+                  "lagrangian": "m/2*(th_dot^2 + sin(th)^2*ph_dot^2) + b*cos(th)*ph_dot"}
+        for sign, conditions in ((1, ["p_ph > 0", "b > p_ph"]), (-1, ["p_ph < 0", "p_ph + b > 0"])):
+            rate = sign*0.4 - (0 if sign > 0 else 2*mpmath.cos(1)/mpmath.sin(1)**2)
+            start = {"system": sphere, "initial": {"ph_dot": float(rate)}}
+            forms = [place["exact_rate2"] for place in self.ask("equilibria", start)["equilibria"]]
+            forms += [mode["exact"] for mode in self.ask("modes", start)["modes"] if "exact" in mode]
+            self.assertEqual([form["text"] for form in forms], ["b^2/m^2"]*3)
+            for form in forms:
+                self.assertLessEqual(set(conditions), set(form["assumes"]))
+
+    def test_a_formula_by_the_place_assumes_that_some_momentum_holds_it_there(self):
+        """p^2 = (m*k + B^2/4) r^4 in a field B on a spring that pushes, k < 0: nothing circles where that is negative."""
+        ring = {"name": "ring", "units": "none",
+                "parameters": [{"name": "m", "default": 1}, {"name": "k", "default": -0.2}, {"name": "B", "default": 2}],
+                "coordinates": [{"name": "r", "initial": 1}, {"name": "f", "initial_rate": -1.5}],
+                "lagrangian": "m/2*(r_dot^2 + r^2*f_dot^2) + B*r^2/2*f_dot - k*r^2/2"}
+        places = self.ask("equilibria", {"system": ring})["equilibria"]
+        forms = [place["exact_rate2"] for place in places if "exact_rate2" in place]
+        self.assertTrue(forms)
+        for form in forms:
+            self.assertIn("B^2 + 4*m*k > 0", form["assumes"])
+
     def test_a_sleeping_top_by_its_spin(self):
         top = scene("top", f"m kg 0.4; h m 0.04; A kg*m^2 0.002; C kg*m^2 0.001; {G}", "a rad; b rad; psi rad 0 90",
                     gravity=DOWN_3D,

@@ -14,6 +14,7 @@
 #include "core/closed/exact_equilibrium.hpp"
 #include "core/dynamics/lost_inertia.hpp"
 #include "core/steady/constrained_equilibria.hpp"
+#include "core/steady/model_conditions.hpp"
 #include "core/steady/search_region.hpp"
 
 namespace qdot::api {
@@ -79,6 +80,7 @@ class EquilibriaAnswer {
     for (std::size_t i = 0; i < found.states.size(); ++i) {
       body["equilibria"].push_back(entry(found.states[i]));
       if (!all.multipliers.empty()) put_multipliers(body["equilibria"].back(), all.multipliers[i]);
+      put_validity(body["equilibria"].back(), found.states[i]);
     }
     if (written_) put_formulas(body, found);
     body["complete"] = found.complete;
@@ -154,7 +156,6 @@ class EquilibriaAnswer {
     if (!steady.simple) json["note"] = multiple;
     if (const std::string wall = wall_before(dynamics_, state_.parameters, steady.y); !wall.empty())
       json["note"] = (steady.simple ? "" : multiple + std::string(" ")) + wall;
-    put_validity(json, steady);
     return json;
   }
 
@@ -169,17 +170,40 @@ class EquilibriaAnswer {
     return json;
   }
 
-  /// Whether the conditions of the model hold there, such as that a string is taut.
+  /// Whether the conditions of the model hold there, such as that a string is taut. What may be zero is.
   void put_validity(Json& json, const SteadyState& steady) const {
     if (scene_.valid_while.empty()) return;
     const std::vector<qdot::Column> columns = validity_columns(dynamics_.model());
     try {
-      const std::vector<double> values = values_at(dynamics_, columns, state_.parameters, 0, steady.y);
-      json["valid"] = std::ranges::all_of(values, [](double value) { return value >= 0; });
-      for (std::size_t i = 0; i < values.size(); ++i) json["validity"][columns[i].name] = values[i];
+      const std::vector<Ball> values =
+          model_conditions(dynamics_, state_.parameters.as<Ball>(), state_of(steady));
+      const auto is_open = [&](const Ball& c) {
+        return !steady.simple && c.contains_zero() && c.error() > 0;
+      };
+      const bool open = conditions_hold(values) && std::ranges::any_of(values, is_open);
+      json["valid"] = open ? Json(nullptr) : Json(conditions_hold(values));
+      for (std::size_t i = 0; i < values.size(); ++i) {
+        Stated stated = condition(values[i]);
+        if (steady.at_kink) stated.error = infinity;
+        json["validity"][columns[i].name] = stated.value;
+        json["error"][key_beside(json["error"], "validity", columns[i].name)] = stated_error(stated, digits_);
+      }
     } catch (const Error&) {  // nothing is known of a condition that has no value there
       json["valid"] = nullptr;
     }
+  }
+
+  /// Where it may be at a kink, its number stands for the kink itself.
+  [[nodiscard]] static std::vector<Ball> state_of(const SteadyState& steady) {
+    std::vector<Ball> y;
+    for (std::size_t i = 0; i < steady.y.size(); ++i)
+      y.emplace_back(DoubleDouble(steady.y[i]), steady.at_kink ? 0 : steady.errors[i]);
+    return y;
+  }
+
+  [[nodiscard]] static Stated condition(const Ball& c) {
+    if (c.is_finite() && c.contains_zero()) return {0, c.magnitude()};
+    return {c.value(), c.error()};
   }
 
   [[nodiscard]] Json searched(const Equilibria& found) const {
