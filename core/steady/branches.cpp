@@ -30,6 +30,10 @@ bool change_between(Stability a, Stability b) {
   return a != b && a != Stability::neutral && b != Stability::neutral;
 }
 
+int sign_of(Stability stability) {
+  return stability == Stability::stable ? 1 : stability == Stability::unstable ? -1 : 0;
+}
+
 class Tracer {
  public:
   Tracer(const EquilibriaAt& equilibria_at, const EquilibriaBetween& between, const KnownOfCurves& known)
@@ -183,11 +187,17 @@ class Tracer {
     const auto is_passed = [&](double value) { return last_ <= value && value <= p; };
     if (!one_ || !std::isfinite(last_) || std::ranges::any_of(one_->elsewhere, is_passed))
       return std::nullopt;
-    OrderedStep step{{}, {}, critical_until(p), one_->index, turns_[one_->index]};
+    OrderedStep step{{}, {}, {}, {}, critical_until(p), one_->index, turns_[one_->index]};
     const auto is_unresolved = [](const CriticalValue* c) { return c->kind == BifurcationKind::unresolved; };
     if (std::ranges::any_of(step.critical, is_unresolved)) return std::nullopt;
-    for (const std::size_t open : open_) step.before.push_back(result_[open].x.back()[one_->index]);
-    for (const SampledState& point : points) step.after.push_back(point.x[one_->index]);
+    for (const std::size_t open : open_) {
+      step.before.push_back(result_[open].x.back()[one_->index]);
+      step.signs_before.push_back(sign_of(result_[open].stability.back()));
+    }
+    for (const SampledState& point : points) {
+      step.after.push_back(point.x[one_->index]);
+      step.signs_after.push_back(sign_of(point.stability));
+    }
     return is_counted(step) ? std::optional(step) : std::nullopt;
   }
 

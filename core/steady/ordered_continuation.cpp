@@ -122,19 +122,40 @@ void join_at(const InOrder& before, const InOrder& after, Continuation& result) 
   }
 }
 
-/// Of an angle, by how many places the order has moved past where the circle is cut: by as many as moves all
-/// least, if any other moves one of them much farther. The slope of the force has opposite signs at
-/// neighbours, and keeps its sign along a curve: where that works out round the circle, by two, four...
-std::optional<std::size_t> places_past_cut(std::span<const double> before, std::span<const double> after) {
-  const std::size_t n = before.size();
+/// Of an angle, how far all move if the order has moved past where the circle is cut by `past` places.
+double farthest_move(std::span<const InOrder> before, std::span<const InOrder> after, std::size_t past) {
+  double result = 0;
+  for (std::size_t i = 0; i < before.size(); ++i) {
+    const double d = after[(i + past) % after.size()].position - before[i].position;
+    result = std::max(result, std::abs(std::remainder(d, 2 * std::numbers::pi)));
+  }
+  return result;
+}
+
+bool keeps_signs(const OrderedStep& step, std::span<const InOrder> before, std::span<const InOrder> after,
+                 std::size_t past) {
+  for (std::size_t i = 0; i < before.size(); ++i) {
+    const InOrder& next = after[(i + past) % after.size()];
+    if (step.signs_before[before[i].members[0]] * step.signs_after[next.members[0]] < 0) return false;
+  }
+  return true;
+}
+
+/// By as many places as move all least, if any other number moves one of them much farther. Only those that
+/// change no stability count, unless none does.
+std::optional<std::size_t> places_past_cut(const OrderedStep& step, std::span<const InOrder> before,
+                                           std::span<const InOrder> after) {
+  std::vector<std::size_t> possible;
+  for (std::size_t s = 0; s < before.size(); ++s) {
+    if (keeps_signs(step, before, after, s)) possible.push_back(s);
+  }
+  if (possible.empty()) {
+    for (std::size_t s = 0; s < before.size(); ++s) possible.push_back(s);
+  }
   double least = std::numeric_limits<double>::infinity(), next = least;
   std::size_t best = 0;
-  for (std::size_t s = 0; s < n; s += n % 2 == 0 ? 2 : 1) {
-    double farthest = 0;
-    for (std::size_t i = 0; i < n; ++i) {
-      const double d = after[(i + s) % n] - before[i];
-      farthest = std::max(farthest, std::abs(std::remainder(d, 2 * std::numbers::pi)));
-    }
+  for (const std::size_t s : possible) {
+    const double farthest = farthest_move(before, after, s);
     next = std::min(next, std::max(farthest, least));
     if (farthest < least) {
       least = farthest;
@@ -143,15 +164,6 @@ std::optional<std::size_t> places_past_cut(std::span<const double> before, std::
   }
   if (next <= standing_apart * least) return std::nullopt;
   return best;
-}
-
-std::optional<std::size_t> places_past_cut(std::span<const InOrder> before, std::span<const InOrder> after) {
-  const auto positions = [](std::span<const InOrder> all) {
-    std::vector<double> result;
-    for (const InOrder& one : all) result.push_back(one.position);
-    return result;
-  };
-  return places_past_cut(positions(before), positions(after));
 }
 
 }  // namespace
@@ -170,7 +182,7 @@ std::optional<Continuation> ordered_continuation(const OrderedStep& step) {
   const std::size_t n = before->size();
   std::size_t past = 0;
   if (step.turns && step.critical.empty() && n > 1) {
-    const auto found = places_past_cut(*before, *after);
+    const auto found = places_past_cut(step, *before, *after);
     if (!found) return std::nullopt;
     past = *found;
   }

@@ -30,6 +30,7 @@ struct Continuation {
 /// What a step of the parameter leads over.
 struct OrderedStep {
   std::vector<double> before, after;           ///< the coordinate, in any order
+  std::vector<int> signs_before, signs_after;  ///< stable 1, unstable -1, neither for certain 0
   std::vector<const CriticalValue*> critical;  ///< of the three kinds above
   std::size_t coordinate{};                    ///< which of the scene's
   bool turns{};                                ///< an angle modulo a turn

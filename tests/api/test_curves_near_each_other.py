@@ -75,6 +75,11 @@ class CurvesNearEachOther(Service):
             self.assertEqual(sorted(tuple(set(b["stability"]) - {"neutral"}) for b in found["branches"]),
                              [("stable",), ("stable",), ("unstable",), ("unstable",)])
 
+    def test_a_curve_passes_where_the_circle_is_cut(self):
+        """sin(u) = e, u the angle from 2*r: both go round, past 0 and half a turn."""
+        for e in ("0", "0.3", "0.999"):
+            self.assert_two_curves(self.found(scene(f"-cos(x - 2*r) - {e}*(x - 2*r)", "rad"), -3, 3.5))
+
     def test_an_imperfect_pitchfork(self):
         """The curve that has no end passes near the fold of the two others."""
         for h in (1e-2, -1e-4, 1e-6, -1e-9):
