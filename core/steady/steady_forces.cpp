@@ -19,6 +19,10 @@ bool has_velocities(const Model& model, const Reduction& reduction) {
                      [&](std::size_t i) { return depends_on(model.lagrangian.generalized_forces[i], rate); });
 }
 
+/// Beside others an equation that is divided by its vanishing mass belongs to no energy, as b'' = a - b
+/// beside a'' = -a.
+bool has_limits(const Reduction& reduction) { return reduction.kept.size() > 1 && !reduction.limits.empty(); }
+
 bool is_gradient(const std::vector<Expression>& stiffness, std::size_t n) {
   for (std::size_t i = 0; i < n; ++i) {
     for (std::size_t j = 0; j < i; ++j) {
@@ -31,6 +35,7 @@ bool is_gradient(const std::vector<Expression>& stiffness, std::size_t n) {
 }  // namespace
 
 bool is_gradient(const Model& model, const Statics& statics) {
+  if (has_limits(statics.reduction)) return false;
   const auto& forces = model.lagrangian.generalized_forces;
   if (std::ranges::all_of(forces, [](const Expression& force) { return force.is_zero(); })) return true;
   Graph graph(*statics.reduction.graph);
@@ -75,7 +80,8 @@ SteadyForces compiled_forces(const Model& model, const Reduction& reduction, con
     const bool angle = model.scene.coordinates[reduction.kept[j]].unit == "rad" || model.scene.without_units;
     result.turns.push_back(angle && !any([&](const Expression& g) { return !has_full_turn(g, x[j]); }));
   }
-  result.symmetric = result.rest.size() == x.size() && is_gradient(stiffness, x.size());
+  result.symmetric =
+      result.rest.size() == x.size() && !has_limits(reduction) && is_gradient(stiffness, x.size());
   result.forces = compiled_at_rest(reduction, graph, equations.written);
   result.stiffness = compiled_at_rest(reduction, graph, stiffness);
   result.smooth = derive_smooth_forces(reduction, graph, equations.written, nonzero);

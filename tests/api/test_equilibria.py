@@ -203,6 +203,15 @@ class Equilibria(Answers):
         self.assertEqual(found["equilibria"], [])
         self.assertTrue(found["complete"])
 
+    def test_an_equation_that_is_a_limit_belongs_to_no_energy(self):
+        """A massless bob below a bob: a'' = -a, b'' = a - b, whose b grows with the time."""
+        system = lagrangian("massless_bob", "m - 0", "a; b",
+                            "(1 + m)*a_dot^2/2 + m*b_dot^2/2 + m*a_dot*b_dot - (1 + m)*a^2/2 - m*b^2/2")
+        for mass, stability in ((0, "neutral"), (0.5, "stable")):
+            asked = {"system": system, "parameters": {"m": mass}}
+            self.assertEqual([one["stability"] for one in self.ask("equilibria", asked)["equilibria"]], [stability])
+            self.assertEqual(self.ask("modes", asked)["equilibrium"]["stability"], stability)
+
     def test_time_in_the_equations_is_not_applicable(self):
         problem = self.refused("equilibria", {"system": "rolling_disk_platform"})
         self.assertEqual(problem["type"], "/errors/not-applicable")
