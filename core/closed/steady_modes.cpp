@@ -1,5 +1,9 @@
 #include "core/closed/steady_modes.hpp"
 
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
 #include "core/closed/exact_roots.hpp"
 #include "core/closed/place_algebra.hpp"
 #include "core/closed/trial.hpp"
@@ -31,7 +35,8 @@ class ModeByPlace {
         p_(motions.momenta[0]),
         force_(motions.forces[0]),
         stiffness_(motions.stiffness[0][0]),
-        inertia_(motions.mass[0][0]) {}
+        inertia_(motions.mass[0][0]),
+        is_angle_(values.model().scene.coordinates[motions.moving[0]].unit == "rad") {}
 
   [[nodiscard]] std::optional<ModeForms> forms() const {
     const auto force = in_squares_of(force_, p_), stiffness = in_squares_of(stiffness_, p_);
@@ -63,11 +68,15 @@ class ModeByPlace {
   void add_signs(const Expression& momentum2, const Expression& square, Trial& trial, ModeForms& mode) const {
     AssumedSigns signs(values_, none_, {x_});
     signs.ask(momentum2);
-    const std::vector<std::string> of_place = signs.needed_for(trial);
+    const AssumedSigns::HoldsAt holds_at = [&](const std::vector<RealAssignment>& place) {
+      const double x = std::ranges::find(place, x_, &RealAssignment::first)->second.value;
+      return (is_angle_ && std::abs(x) > std::numbers::pi) || trial.holds_at(place);
+    };
+    const std::vector<std::string> of_place = signs.needed_for(holds_at);
     trial.is_positive(square);
     mode.form.lambda_assumes = mode.form.square.assumes;
     mode.form.lambda_assumes->insert(mode.form.lambda_assumes->end(), of_place.begin(), of_place.end());
-    add_conditions(signs.needed_for(trial), mode.form);
+    add_conditions(signs.needed_for(holds_at), mode.form);
   }
 
   [[nodiscard]] std::optional<ClosedForm> formula(const Expression& e) const {
@@ -93,6 +102,7 @@ class ModeByPlace {
   const Relations none_;
   Graph& graph_;
   Expression x_, p_, force_, stiffness_, inertia_;
+  bool is_angle_;  ///< within half a turn to both sides
 };
 
 }  // namespace
