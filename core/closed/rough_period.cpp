@@ -202,6 +202,19 @@ bool is_between(double x, double low, double high) {
 
 namespace {
 
+/// Whether e falls to zero between places at which it does not, beside one where it is least: a hill that is
+/// narrower than they lie apart.
+bool hides_stop(const SquaredSpeed& e, std::span<const double> places) {
+  std::vector<double> seen;
+  for (const double x : places) seen.push_back(e.at(x));
+  for (std::size_t i = 1; i + 1 < places.size(); ++i) {
+    if (seen[i] > seen[i - 1] || seen[i] > seen[i + 1]) continue;
+    const double step = std::max(places[i] - places[i - 1], places[i + 1] - places[i]);
+    if (!moves(extreme_near(e, places[i], step, -1))) return true;
+  }
+  return false;
+}
+
 /// Of the motion that has e > 0 at the places from `first` to before `next`.
 Likeness compared_within(const SquaredSpeed& e, std::span<const double> places, std::size_t first,
                          std::size_t next, double period) {
@@ -213,6 +226,7 @@ Likeness compared_within(const SquaredSpeed& e, std::span<const double> places, 
   const double low = std::isfinite(from) ? from : places[first];
   const double high = std::isfinite(to) ? to : places[next - 1];
   if (e.start && !is_between(*e.start, low, high)) return Likeness::unknown;
+  if (hides_stop(e, places.subspan(first, next - first))) return Likeness::unknown;
   size = std::max(size, e.at((low + high) / 2));  // the only place that was looked at may be an end
   if (!(is_open_below || turns_at(e, from, size)) || !(is_open_above || turns_at(e, to, size)))
     return Likeness::other;

@@ -44,6 +44,8 @@ BESIDE = [
     ("m*x_dot^2/2 - k*x^2/2 - b/x^2", "m - 1; k - 3; b - 2", "x - 0.8 0.3", "period", ["m > 0", "k > 0", "b > 0"]),
     ("d*A*H*x_dot^2/2 - rho*g*A*x^2/2 + d*A*H*g*x", "rho - 1000; d - 600; A - 0.01; H - 0.3; g - 9.81", "x - 0.2", "x_min", ["rho > 0", "d > 0", "H > 0", "g > 0"]),
     ("m*x_dot^2/2 - k*x^2/2 + F*x", "m - 1; k - 3; F - 2", "x - 0.1", "period", ["m > 0", "k > 0"]),
+    # Beside its top a hill is narrower than places lie apart at which one looks.
+    ("m*x_dot^2/2 - k*x^2/2 + b*x^4/4", "m - 1; k - 3; b - 1; c - 1", "x - c", "period", ["m > 0", "k > 0", "b > 0", "c > 0", "k > b*c^2"]),
     # An arc of a cosine is a place of the first turn, where a motion from another does not come.
     ("m*l^2*x_dot^2/2 + m*g*l*cos(x)", "m - 1; g - 9.81; l - 0.7; c - 0.5", "x - c", "x_min", ["c > 0", "pi > c"]),
     ("m*l^2*x_dot^2/2 + m*g*l*cos(x)", "m - 1; g - 9.81; l - 0.7; c - 0.4; u - 0.5", "x - c u", "x_max", ["g > 0", "l > 0", "c > 0", "u > 0", "pi > c", "2*g + 2*g*cos(c) > l*u^2"]),
