@@ -279,8 +279,8 @@ Table<Scene> make_table() {
       "and what acts on them. Kinetic and potential energy, equations of motion, equilibria, frequencies and "
       "reactions are derived from it. An expression may use the scene's parameters, its coordinates q and "
       "velocities q_dot, its held lengths and inputs, the time t, the number pi and the functions sin, cos, "
-      "tan, asin, acos, atan, sinh, cosh, tanh, exp, log, sqrt, abs and sign. Units are SI units and angles "
-      "are radians.",
+      "tan, asin, acos, atan, sinh, cosh, tanh, exp, log, sqrt, abs, sign, max and min. Units are SI units and "
+      "angles are radians.",
       {name_field<Scene>("what requests call the system, such as spring_pendulum"),
        value("title", &Scene::title, prose, "a heading"),
        value("problem", &Scene::problem, short_text, "number of the problem on the practice sheet"),

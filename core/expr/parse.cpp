@@ -133,16 +133,21 @@ class Parser {
   /// What follows an opening bracket, up to its closing one.
   Expression bracket(const Token& open) {
     const Expression inside = nested([this] { return sum(); });
+    close(open);
+    return inside;
+  }
+
+  void close(const Token& open) {
     if (!at(TokenKind::close)) {
       if (!at(TokenKind::end)) reject_rest();
       fail("expected ')' to close the '(' at byte " + std::to_string(open.offset));
     }
     ++next_;
-    return inside;
   }
 
   Expression name(const Token& name) {
     if (at(TokenKind::open)) {
+      if (is_choice(name.text) && !is_known(name.text)) return choice(name);
       if (!is_function(name.text)) reject_call(name);
       const Token open = token();
       ++next_;
@@ -159,6 +164,22 @@ class Parser {
     if (!known && text == "deg") return checked(Number::ratio(1, 180) * graph_.symbol("pi"));
     if (!known) note_unknown(text, name.offset);
     return checked(graph_.symbol(text));
+  }
+
+  /// max(a, b) = (a + b + |a - b|)/2, and of more the largest one after the other.
+  Expression choice(const Token& name) {
+    const Token open = token();
+    ++next_;
+    Expression result = nested([this] { return sum(); });
+    if (!at(TokenKind::comma)) fail(std::string(name.text) + " takes two or more, with commas between them");
+    while (accept(TokenKind::comma)) {
+      const Expression other = nested([this] { return sum(); });
+      const Expression apart = graph_.call(Function::abs, result - other);
+      const Expression both = result + other;
+      result = checked(Number::ratio(1, 2) * (name.text == "max" ? both + apart : both - apart));
+    }
+    close(open);
+    return result;
   }
 
   /// An angle that is measured from another right angle, sin(a + pi/2), is read as cos(a).
@@ -250,6 +271,7 @@ class Parser {
   [[noreturn]] void reject_call(const Token& name) const {
     std::string message = "unknown function " + excerpt(name.text) + ", there are sqrt";
     for (const std::string_view known : function_names) message += ", " + std::string(known);
+    message += ", max, min";
     if (const std::string_view here = function_here(name.text); !here.empty())
       message = "write " + std::string(here) + ", not " + std::string(name.text) + "(...)";
     const std::string known(name.text.substr(0, 36));

@@ -4,9 +4,10 @@
 //   sum     = term { (+|-) term }
 //   term    = {+|-} power { (*|/) {+|-} power }      a leading minus belongs to the whole term: -a*b = -(a*b)
 //   power   = primary [ ^ {+|-} power ]              right associative; ** is ^; -x^2 = -(x^2)
-//   primary = number | name | function ( sum ) | ( sum )
+//   primary = number | name | function ( sum ) | choice ( sum , sum {, sum} ) | ( sum )
 //
-// Functions are those of core/numerics/function.hpp and sqrt. The name `pi` is always known, and `deg` is
+// Functions are those of core/numerics/function.hpp and sqrt; a choice is max or min, which are written with
+// abs: max(a, b) = (a + b + |a - b|)/2. The name `pi` is always known, and `deg` is
 // pi/180 where no symbol has that name: 30*deg. There is no implicit multiplication. Numbers are exactly the
 // decimals that are written: 9.81 is 981/100.
 //

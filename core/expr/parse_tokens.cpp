@@ -91,6 +91,8 @@ Token next_token(std::string_view text, std::size_t at, const TextLimits& limits
     return {TokenKind::name, rest.substr(0, static_cast<std::size_t>(end - rest.begin())), at, {}};
   }
   if (rest.starts_with("**")) return {TokenKind::power, rest.substr(0, 2), at, {}};
+  if (rest[0] == ',' && is_choice(function_around(text.substr(0, at))))
+    return {TokenKind::comma, rest.substr(0, 1), at, {}};
   const auto kind = operator_kind(rest[0]);
   if (!kind) throw Error(ErrorCode::syntax, advice_on_sign(text, at), at);
   return {*kind, rest.substr(0, 1), at, {}};

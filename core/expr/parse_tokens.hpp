@@ -9,8 +9,11 @@
 
 namespace qdot {
 
-/// A character each, except power (^ or **), number, name and end.
-enum class TokenKind { number, name, plus, minus, times, over, power, open, close, end };
+/// A character each, except power (^ or **), number, name and end. Commas are those of max and min only.
+enum class TokenKind { number, name, plus, minus, times, over, power, open, close, comma, end };
+
+/// Whether it is max or min.
+[[nodiscard]] inline bool is_choice(std::string_view name) { return name == "max" || name == "min"; }
 
 struct Token {
   TokenKind kind{TokenKind::end};

@@ -83,20 +83,8 @@ std::string advice_on_prime(std::string_view before) {
   return "write " + q + "_dot for the velocity of " + q;
 }
 
-/// The function in whose brackets the text ends; empty where there is none.
-std::string_view function_around(std::string_view text) {
-  int closed = 0;
-  for (std::size_t at = text.size(); at-- > 0;) {
-    if (text[at] == ')') ++closed;
-    if (text[at] == '(' && closed-- == 0) return last_name(text.substr(0, at));
-  }
-  return {};
-}
-
 /// Functions of two arguments in other programs, and how to write them here.
 constexpr auto of_two = std::to_array<std::pair<std::string_view, std::string_view>>({
-    {"max", "(a + b + abs(a - b))/2 for max(a, b)"},
-    {"min", "(a + b - abs(a - b))/2 for min(a, b)"},
     {"pow", "x^2 for pow(x, 2)"},
     {"atan2", "atan(y/x), or atan(y/x) + pi where x < 0, for atan2(y, x)"},
     {"hypot", "sqrt(x^2 + y^2) for hypot(x, y)"},
@@ -111,7 +99,8 @@ std::string advice_on_comma(std::string_view text, std::size_t at) {
   const std::string_view name = function_around(text.substr(0, at));
   const auto function = std::ranges::find(of_two, name, [](const auto& pair) { return pair.first; });
   if (function != of_two.end()) return "write " + std::string(function->second);
-  return name.empty() ? "unexpected ','" : "every function takes one argument: unexpected ','";
+  return name.empty() ? "unexpected ','"
+                      : "every function but max and min takes one argument: unexpected ','";
 }
 
 std::string advice_on_backslash(std::string_view rest) {
@@ -125,6 +114,15 @@ std::string advice_on_backslash(std::string_view rest) {
 }
 
 }  // namespace
+
+std::string_view function_around(std::string_view text) {
+  int closed = 0;
+  for (std::size_t at = text.size(); at-- > 0;) {
+    if (text[at] == ')') ++closed;
+    if (text[at] == '(' && closed-- == 0) return last_name(text.substr(0, at));
+  }
+  return {};
+}
 
 std::string excerpt(std::string_view text) {
   std::string quoted = "'";

@@ -11,6 +11,9 @@ namespace qdot {
 /// with what is not printable ASCII as ?.
 [[nodiscard]] std::string excerpt(std::string_view text);
 
+/// The function in whose brackets the text ends; empty where there is none.
+[[nodiscard]] std::string_view function_around(std::string_view text);
+
 /// One sentence without a full stop, on the byte text[at], where no token begins.
 [[nodiscard]] std::string advice_on_sign(std::string_view text, std::size_t at);
 

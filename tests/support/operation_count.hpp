@@ -38,6 +38,7 @@ inline std::size_t operation_count_of_text(std::string_view text) {
       case TokenKind::number:
       case TokenKind::open:
       case TokenKind::close:
+      case TokenKind::comma:
       case TokenKind::end:
         break;
     }

@@ -50,6 +50,14 @@ void expect_error(std::string_view text, ErrorCode code, std::size_t offset, con
   EXPECT_EQ(error.message, message) << text;
 }
 
+TEST(Parse, MaxAndMinAreWrittenWithAbs) {
+  Reading read;
+  EXPECT_EQ(read("max(x, y)"), read("(x + y + abs(x - y))/2"));
+  EXPECT_EQ(read("2*min(x, y*z) + 1"), read("x + y*z - abs(x - y*z) + 1"));
+  EXPECT_EQ(read("max(x, y, z)"), read("max(max(x, y), z)"));
+  EXPECT_EQ(read("max(1/3, 0.25, -2)"), read.number(Number::ratio(1, 3)));
+}
+
 TEST(Parse, ProductsBindTighterThanSumsAndPowersTighterThanProducts) {
   Reading read;
   EXPECT_EQ(read("x + y*z"), read.x + read.y * read.z);
@@ -154,10 +162,14 @@ TEST(ParseErrors, SayWhatToWriteAndWhere) {
   expect_error("x +", syntax, 3, "expected a number, a symbol or '(', found the end");
   expect_error("x * / y", syntax, 4, "expected a number, a symbol or '(', found '/'");
   expect_error("x = y", syntax, 2, "an expression is no equation: for a = b write a - (b), which is zero");
-  expect_error("sin(x, y)", syntax, 5, "every function takes one argument: unexpected ','");
+  expect_error("sin(x, y)", syntax, 5, "every function but max and min takes one argument: unexpected ','");
   expect_error("1,5*x", syntax, 1, "decimals have a point: unexpected ','");
   expect_error("(x, y)", syntax, 2, "unexpected ','");
-  expect_error("2*max((x), 0)", syntax, 9, "write (a + b + abs(a - b))/2 for max(a, b)");
+  expect_error("2*max((x))", syntax, 9, "max takes two or more, with commas between them");
+  expect_error("max(x, y", syntax, 8, "expected ')' to close the '(' at byte 3");
+  expect_error("max((x, y), 1)", syntax, 6, "unexpected ','");
+  expect_error("max(sin(x, y), 1)", syntax, 9,
+               "every function but max and min takes one argument: unexpected ','");
   expect_error("diff(x(t), t)^2", syntax, 9, "write x_dot for the derivative of x by the time");
   expect_error("D(x)^2", syntax, 0, "write x_dot for the derivative of x by the time, not D(...)");
   expect_error("x.diff(t)^2", syntax, 1, "write x_dot for the velocity of x");
