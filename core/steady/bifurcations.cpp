@@ -297,10 +297,11 @@ class CriticalSearch {
       if (is_of_no_body(critical)) continue;
       if (lacks_values(dynamics_.model(), parameters_at(critical.value), critical.y, critical.errors))
         continue;
-      // Where charts overlap, both may tell of it.
-      const auto is_same = [&](const CriticalValue& other) { return same_place(other, critical); };
-      if (all_.charts().size() == 1 || std::ranges::none_of(result_.critical, is_same))
-        result_.critical.push_back(std::move(critical));
+      // Where charts overlap, both may tell of it, and so may two axes of symmetry that are one on a circle.
+      const auto is_same = [&](const CriticalValue& other) {
+        return same_place(other, critical) && (all_.charts().size() > 1 || other.kind == critical.kind);
+      };
+      if (std::ranges::none_of(result_.critical, is_same)) result_.critical.push_back(std::move(critical));
     }
   }
 

@@ -16,8 +16,10 @@ constexpr int least_columns = 8;
 /// A curve ends at a critical point that is no farther than this from its last point, for coordinates of size
 /// one.
 constexpr double reach = 0.5;
-/// Of the range, between columns that are added for a closer look; and how many are in all.
+/// Of the range, between columns that are added for a closer look, and between critical values that are told
+/// apart; and how many are added in all.
 constexpr double least_step = 1e-9;
+constexpr double rounding_of_values = 1e-12;
 constexpr int most_added = 200;
 
 struct SampledState {
@@ -45,11 +47,7 @@ class Tracer {
         one_(known.one) {}
 
   std::vector<EquilibriumBranch> run(double from, double to) {
-    std::vector<double> ends{from};
-    for (const CriticalValue& c : critical_) {
-      if (c.value > ends.back() && c.value < to && !is_of_oscillations(c.kind)) ends.push_back(c.value);
-    }
-    ends.push_back(to);
+    const std::vector<double> ends = ends_between(from, to);
     least_step_ = least_step * (to - from);
     for (std::size_t i = 0; i + 1 < ends.size(); ++i) {
       const double share = (ends[i + 1] - ends[i]) / (to - from);
@@ -70,6 +68,20 @@ class Tracer {
   }
 
  private:
+  /// Critical values that may be one are passed in one step: there is no column between them.
+  [[nodiscard]] std::vector<double> ends_between(double from, double to) const {
+    std::vector<double> ends{from};
+    double last = from;  // that the value of the last end may have
+    for (const CriticalValue& c : critical_) {
+      if (is_of_oscillations(c.kind) || !(c.value > from && c.value < to)) continue;
+      if (ends.size() == 1 || c.value - c.error > last + rounding_of_values * (to - from))
+        ends.push_back(c.value);
+      last = std::max(last, c.value + c.error);
+    }
+    ends.push_back(to);
+    return ends;
+  }
+
   [[nodiscard]] bool is_critical(double value) const {
     return std::any_of(critical_.begin(), critical_.end(),
                        [&](const CriticalValue& c) { return std::abs(c.value - value) <= c.error; });

@@ -105,6 +105,24 @@ class CurvesNearEachOther(Service):
         self.assertEqual([(b["r"][0], b["x"][0]) for b in found["branches"]],
                          [(found["critical"][0]["value"], found["critical"][0]["state"]["x"])] * 2)
 
+    def test_two_folds_at_one_value_that_rounding_parts(self):
+        for b, place in (("1.55", "0"), ("1.17", "1.43")):
+            found = self.found(scene(f"(x - {place})^6/6 - {b}*(x - {place})^4/4 - r*(x - {place})^2/2"), -15.3, 16.1)
+            self.assertTrue(found["complete"])
+            self.assertEqual([one["kind"] for one in found["critical"]], ["saddle_node", "saddle_node", "pitchfork"])
+            whole, *others = sorted((min(b["r"]), max(b["r"])) for b in found["branches"])
+            self.assertEqual(whole, (-15.3, 16.1))
+            self.assertEqual(len(others), 4)
+            for branch in found["branches"]:
+                self.assertLess(max(abs(x - y) for x, y in zip(branch["x"], branch["x"][1:])), 1)
+
+    def test_pitchforks_about_an_axis_that_is_turned_are_each_told_once(self):
+        found = self.found(scene("-r*cos(2*(x - 0.44)) - 1.65*cos(4*(x - 0.44))", "rad"), -15.3, 16.1)
+        self.assertTrue(found["complete"])
+        self.assertEqual([(round(one["value"], 9), one["kind"]) for one in found["critical"]],
+                         [(-6.6, "pitchfork")] * 2 + [(6.6, "pitchfork")] * 2)
+        self.assertEqual(len(found["branches"]), 8)
+
     def test_of_two_coordinates_what_is_stable_goes_on_as_stable(self):
         found = self.found(scene("-r*x^2/2 + x^3/3 - 1e-4*x + (y - x/2)^2/2 + y^4/40", more=[{"name": "y"}]), -1, 1.3)
         self.assertNotIn("oscillations", found["reason"])
