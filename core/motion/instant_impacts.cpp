@@ -105,13 +105,27 @@ InstantImpacts::Passed InstantImpacts::in_order(const Instant& now, std::span<co
     std::optional<double> later;
     const auto is_last = [&] { return !passed.all.empty() && passed.all.back().impact == next; };
     while (next < rules_.size() && (is_last() || !(later = follows(next, now, passed.after)))) ++next;
-    if (next == rules_.size()) return passed;
+    if (next == rules_.size()) {
+      doubt_rates_left(now.t, passed);
+      return passed;
+    }
     if (passed.all.size() >= most_in_an_instant) break;
     passed.within = std::max(passed.within, *later);
     apply(next, now.t, passed);
   }
   passed.is_over = false;
   return passed;
+}
+
+/// Impacts that start each other again and again take rates away until rounding hides them.
+void InstantImpacts::doubt_rates_left(double t, Passed& passed) const {
+  for (std::size_t k = 0; k < rules_.size(); ++k) {
+    if (std::ranges::count(passed.all, k, &Happened::impact) < 2) continue;
+    const std::optional<double> left = hidden_rate(k, t, passed.after);
+    if (!left) continue;
+    passed.rounding.resize(passed.after.size());
+    for (const std::size_t place : rules_[k].map.places) passed.rounding[place] += *left;
+  }
 }
 
 /// What was met, after others: where they have turned the motion away it is not reached.

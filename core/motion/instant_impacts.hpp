@@ -78,6 +78,7 @@ class InstantImpacts {
     const EventSides& sides;
   };
   [[nodiscard]] Passed in_order(const Instant& now, std::span<const std::size_t> met) const;
+  void doubt_rates_left(double t, Passed& passed) const;
   [[nodiscard]] bool still_comes(const Instant& now, std::size_t impact, const std::vector<double>& y) const;
   void compare_orders(const Instant& now, std::vector<std::size_t> met, Passed& passed) const;
   struct Approach {

@@ -202,6 +202,7 @@ class CriticalSearch {
   }
 
   void trace() {
+    left_for_columns_ = work_left() - work_left() / 8;
     const auto between = [&](double p) { return closer_look(p); };
     result_.branches = branches([&](double& p) { return column(p); }, between, from_, to_,
                                 {result_.critical, turns(), poles_, one_coordinate()});
@@ -217,13 +218,30 @@ class CriticalSearch {
   }
 
   void add_missed() {
-    const auto growth = missed_growth(dynamics_, all_, index_, result_.branches, result_.critical);
-    add(growth);
-    const auto missed =
-        missed_changes(all_, *chart_, index_, result_.branches, result_.critical, {from_, to_});
-    add(missed);
+    bool has_missed = false;
+    within_part(2, [&] {
+      add(missed_growth(dynamics_, all_, index_, result_.branches, result_.critical));
+      const auto found =
+          missed_changes(all_, *chart_, index_, result_.branches, result_.critical, {from_, to_});
+      add(found);
+      has_missed = !found.empty();
+    });
     std::ranges::sort(result_.critical, {}, &CriticalValue::value);
-    if (!missed.empty()) trace();
+    if (has_missed) trace();
+  }
+
+  /// Looks for that part of the work that is left, as far as it is enough.
+  static void within_part(std::uint64_t part, const std::function<void()>& look) {
+    const std::uint64_t units = work_left() / part;
+    std::uint64_t spent = units;
+    try {
+      const WorkScope bounded(units);
+      look();
+      spent -= work_left();
+    } catch (const Error& error) {
+      if (error.code() != ErrorCode::too_large) throw;
+    }
+    spend_work(spent);
   }
 
   [[nodiscard]] const std::vector<std::size_t>& unknowns() const { return systems_->unknowns; }
@@ -264,20 +282,11 @@ class CriticalSearch {
 
   /// A column that is not needed: it may cost a small part of what the others have, and ends no branch.
   [[nodiscard]] std::optional<std::vector<SteadyState>> closer_look(double p) {
-    constexpr std::uint64_t part = 50;
-    if (gave_up_) return std::nullopt;
-    const std::uint64_t units = work_left() / part;
-    std::uint64_t spent = units;
     std::optional<std::vector<SteadyState>> result;
-    try {
-      const WorkScope bounded(units);
-      Equilibria found = all_.at(p);
-      spent -= work_left();
-      if (found.complete) result = std::move(found.states);
-    } catch (const Error& error) {
-      if (error.code() != ErrorCode::too_large) throw;
-    }
-    spend_work(spent);
+    if (gave_up_ || work_left() < left_for_columns_) return result;
+    within_part(50, [&] {
+      if (Equilibria found = all_.at(p); found.complete) result = std::move(found.states);
+    });
     return result;
   }
 
@@ -375,6 +384,7 @@ class CriticalSearch {
   SteadyProblem problem_;  ///< of the chart, as are its systems
   std::shared_ptr<const BifurcationSystems> systems_;
   bool gave_up_{};
+  std::uint64_t left_for_columns_{};     ///< of the work: no closer look takes of it
   std::vector<double> known_elsewhere_;  ///< values at which something happens that is not critical
   std::vector<CurvePole> poles_;
   Bifurcations result_;

@@ -36,6 +36,23 @@ class BodiesThatStayTogether(Service):
                 if happens:
                     self.assertLessEqual(abs(answer["events"][0]["t"] - met), answer["events"][0]["error"])
 
+    def test_three_that_stick_have_one_velocity_within_their_errors(self):
+        """Two and two meet again and again, until rounding hides what is left."""
+        for m, n, l, v, u, w in ((1.5, 2.3, 3, 2.7, 0.6, 0.2), (1, 1, 1, 2, 0.3, -0.1), (0.7, 4, 1.9, 3.1, 0, 0)):
+            scene = {"name": "carts", "units": "none", "lagrangian": f"{m}*a_dot^2/2 + {n}*b_dot^2/2 + {l}*d_dot^2/2",
+                     "coordinates": [{"name": name, "initial": place, "initial_rate": str(rate)}
+                                     for name, place, rate in (("a", "0", v), ("b", "0.5", u), ("d", "0.9", w))],
+                     "events": [{"name": "first", "expression": "b - a", "direction": "falling"},
+                                {"name": "second", "expression": "d - b", "direction": "falling"}],
+                     "impacts": [{"event": "first", "restitution": "0"}, {"event": "second", "restitution": "0"}]}
+            answer = self.ask("simulate", {"system": scene, "t_end": 4, "samples": 13})
+            exact = [mpf(str(number)) for number in (m, n, l, v, u, w)]
+            together = sum(p*q for p, q in zip(exact, exact[3:])) / sum(exact[:3])
+            for name in ("a_dot", "b_dot", "d_dot"):
+                error = answer["accuracy"]["max_abs_error"][name]
+                self.assertLessEqual(abs(answer["trajectory"][name][-1] - together), error, (m, name))
+                self.assertLess(error, 1e-12)
+
     def test_bodies_that_are_pressed_only_after_the_impact_do_not_run_through_each_other(self):
         """A bullet and a block that its spring holds at rest: nothing presses at the instant itself."""
         for potential, is_pressed in (("5*(b - 1)^2", True), ("2*(b - 1)^4", True), ("3*(b - 1)^3", True), ("0*b", False),
