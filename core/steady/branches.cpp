@@ -19,7 +19,7 @@ constexpr double reach = 0.5;
 /// Of the range, between columns that are added for a closer look, and between critical values that are told
 /// apart; and how many are added in all.
 constexpr double least_step = 1e-9;
-constexpr double rounding_of_values = 1e-12;
+constexpr double rounding_of_values = 1e-7;
 constexpr int most_added = 200;
 
 struct SampledState {

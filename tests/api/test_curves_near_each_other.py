@@ -116,6 +116,14 @@ class CurvesNearEachOther(Service):
             for branch in found["branches"]:
                 self.assertLess(max(abs(x - y) for x, y in zip(branch["x"], branch["x"][1:])), 1)
 
+    def test_pitchforks_at_values_so_near_that_rounding_hides_what_is_stable_between(self):
+        found = self.found(scene("-1e-9*cos(x + 2.18) - 0.893*cos(4*(x + 2.18)) - r*cos(2*(x + 2.18))", "rad"), -13, 12)
+        self.assertTrue(found["complete"])
+        values = {one["value"] for one in found["critical"]} | {-13, 12}
+        self.assertEqual(len(values), 6)
+        for branch in found["branches"]:
+            self.assertLessEqual({branch["r"][0], branch["r"][-1]}, values)
+
     def test_pitchforks_about_an_axis_that_is_turned_are_each_told_once(self):
         found = self.found(scene("-r*cos(2*(x - 0.44)) - 1.65*cos(4*(x - 0.44))", "rad"), -15.3, 16.1)
         self.assertTrue(found["complete"])
