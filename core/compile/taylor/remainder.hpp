@@ -14,7 +14,7 @@
 // Where rows cannot tell (exp(-2500) = 0 and all its coefficients), the interval operation does.
 //
 // Rounding is left out (rounding.hpp has it), except for what it may hide: a function that has become 0 or
-// constant by it.
+// constant by it, or a row that belongs to another function by it, as 1 - s to sqrt((1 - s)^2 + 1e-16).
 // Sources: Makino, Berz, Taylor models and other validated functional inclusion methods, Int. J. Pure Appl.
 // Math. 4 (2003) 379; Neher, Jackson, Nedialkov, On Taylor model based integration of ODEs, SIAM J. Numer.
 // Anal. 45 (2007) 236.
