@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <optional>
+#include <set>
 #include <variant>
 
 #include "core/base/error.hpp"
@@ -15,6 +16,7 @@ namespace {
 constexpr std::size_t most_equations = 3, most_reduced = 4;
 constexpr std::size_t most_divided_terms = 40;
 constexpr int most_divisions = 16;  ///< of a division
+constexpr std::size_t most_crossed_terms = 12;
 
 class Divisions {
  public:
@@ -34,6 +36,22 @@ class Divisions {
       if (p.size() > most_divided_terms) return std::nullopt;
     }
     return std::nullopt;
+  }
+
+  /// m_i p - c m_j q, in which the monomials a of p and b of q cancel each other; none where one of them
+  /// divides the other, and where m_i or m_j may be infinite.
+  [[nodiscard]] std::optional<Polynomial> crossed(const Polynomial& p, const Monomial& a, const Polynomial& q,
+                                                  const Monomial& b) const {
+    Monomial of_p, of_q;
+    for (const Atom& atom : a* inverse(b)) {
+      if (atom.p > 0) of_q.push_back(atom);
+      if (atom.p < 0) of_p.push_back({atom.base, -atom.p, atom.q});
+    }
+    if (of_p.empty() || of_q.empty()) return std::nullopt;
+    if (!is_finite_everywhere(of_p) || !is_finite_everywhere(of_q)) return std::nullopt;
+    Polynomial result = scaled(p, of_p, 1);
+    add(result, scaled(q, of_q, Number(-1) * p.at(a) / q.at(b)));
+    return result;
   }
 
  private:
@@ -66,29 +84,70 @@ std::vector<Polynomial> short_polynomials(std::span<const Expression> equations)
   return are_short ? polynomials : std::vector<Polynomial>();
 }
 
+class Reduced {
+ public:
+  explicit Reduced(std::span<const Expression> variables) : variables_(variables), divisions_(variables) {}
+
+  /// Of p by q.
+  void divide(const Polynomial& p, const Polynomial& q) {
+    for (const auto& [leading, coefficient] : q) keep(divisions_.remainder(p, q, leading), length(p));
+  }
+
+  void cross(const Polynomial& p, const Polynomial& q) {
+    const std::size_t shorter = std::min(length(p), length(q));
+    if (std::max(p.size(), q.size()) > most_crossed_terms) return;
+    for (const auto& [a, of_p] : p) {
+      for (const auto& [b, of_q] : q) keep(divisions_.crossed(p, a, q, b), shorter);
+    }
+  }
+
+  /// The few that are shortest.
+  [[nodiscard]] std::vector<Expression> expressions(Graph& graph) {
+    std::ranges::stable_sort(found_, {}, [this](const Polynomial& p) { return length(p); });
+    if (found_.size() > most_reduced) found_.resize(most_reduced);
+    std::vector<Expression> result;
+    for (const Polynomial& p : found_) result.push_back(simplify(to_expression(graph, p)));
+    return result;
+  }
+
+ private:
+  void keep(const std::optional<Polynomial>& p, std::size_t longer) {
+    if (!p || p->empty() || length(*p) >= longer) return;
+    if (std::ranges::find(found_, *p) == found_.end()) found_.push_back(*p);
+  }
+
+  /// How many products of variables have a coefficient, which may be a sum of parameters.
+  [[nodiscard]] std::size_t length(const Polynomial& p) const {
+    std::set<Monomial, LeadingFirst> parts;
+    for (const auto& [monomial, coefficient] : p) {
+      Monomial part = monomial;
+      std::erase_if(part, [this](const Atom& atom) {
+        return !depends_on(Expression(variables_[0].graph(), atom.base), variables_);
+      });
+      parts.insert(part);
+    }
+    return parts.size();
+  }
+
+  std::span<const Expression> variables_;
+  Divisions divisions_;
+  std::vector<Polynomial> found_;
+};
+
 }  // namespace
 
 std::vector<Expression> reduced_equations(std::span<const Expression> equations,
                                           std::span<const Expression> variables) {
   if (equations.size() < 2 || equations.size() > most_equations) return {};
   const std::vector<Polynomial> polynomials = short_polynomials(equations);
-  const Divisions divisions(variables);
-  std::vector<Polynomial> found;
+  Reduced reduced(variables);
   for (std::size_t i = 0; i < polynomials.size(); ++i) {
     for (std::size_t j = 0; j < polynomials.size(); ++j) {
-      if (i == j) continue;
-      for (const auto& [leading, coefficient] : polynomials[j]) {
-        const auto now = divisions.remainder(polynomials[i], polynomials[j], leading);
-        const bool is_shorter = now && !now->empty() && now->size() < polynomials[i].size();
-        if (is_shorter && std::ranges::find(found, *now) == found.end()) found.push_back(*now);
-      }
+      if (i != j) reduced.divide(polynomials[i], polynomials[j]);
+      if (i < j) reduced.cross(polynomials[i], polynomials[j]);
     }
   }
-  std::ranges::stable_sort(found, {}, &Polynomial::size);
-  if (found.size() > most_reduced) found.resize(most_reduced);
-  std::vector<Expression> result;
-  for (const Polynomial& p : found) result.push_back(simplify(to_expression(equations[0].graph(), p)));
-  return result;
+  return reduced.expressions(equations[0].graph());
 }
 
 }  // namespace qdot

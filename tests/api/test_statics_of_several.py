@@ -189,6 +189,28 @@ class Families(Service):
         self.assertNotIn("given up", found["reason"])  # all that is missing comes from infinity
         self.assertIn("x = infinity", found["reason"])
 
+    def test_what_is_nearly_a_circle_of_equilibria_is_a_few(self):
+        """The Sun and the Earth, and a hat that is tilted a little."""
+        mu = mp.mpf("3.003e-6")
+        found = self.ask("equilibria", {"system": "restricted_three_body", "parameters": {"mu": "3.003e-6"}})
+
+        def pull(x):
+            return x - (1 - mu)*mp.sign(x + mu)/(x + mu)**2 - mu*mp.sign(x - 1 + mu)/(x - 1 + mu)**2
+
+        on_axis = [(mp.findroot(pull, x), 0) for x in (-1, 0.99, 1.01)]
+        self.lie_at(found, on_axis + [(mp.mpf("0.5") - mu, side*mp.sqrt(3)/2) for side in (-1, 1)])
+
+        hat = lagrangian("hat", "e - 1e-6", "x - 1; y - 0", "(x_dot^2 + y_dot^2)/2 - (x^2 + y^2 - 1)^2 + e*x")
+        found = self.ask("equilibria", {"system": hat})
+        self.lie_at(found, [(x, 0) for x in mp.polyroots([-4, 0, 4, mp.mpf("1e-6")])])
+
+    def lie_at(self, found, places):
+        self.assertIs(found["complete"], True, found.get("reason"))
+        self.assertEqual(len(found["equilibria"]), len(places))
+        for one, place in zip(found["equilibria"], sorted(places)):
+            for name, true in zip("xy", place):
+                self.assertLessEqual(abs(one["state"][name] - true), one["error"][name] + EXACT)
+
 
 if __name__ == "__main__":
     unittest.main()

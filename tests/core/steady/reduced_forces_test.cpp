@@ -37,6 +37,12 @@ TEST_F(ReducedTest, KnowThreeEquations) {
   EXPECT_THAT(reduced({"x*y - z", "x*y*z - z^2 + x", "y"}), testing::Contains(parsed("x")));
 }
 
+TEST_F(ReducedTest, TakeTheMomentInWhichCentralForcesAreGone) {
+  EXPECT_THAT(
+      reduced({"x*(x^2 + y^2)^(-3/2) - x*exp(x^2 + y^2) + k", "y*(x^2 + y^2)^(-3/2) - y*exp(x^2 + y^2)"}),
+      testing::Contains(parsed("k*y")));
+}
+
 TEST_F(ReducedTest, MultiplyByNothingThatMayBeInfinite) {
   EXPECT_TRUE(reduced({"x", "1 + x/y"}).empty());
   EXPECT_TRUE(reduced({"x", "y + x*log(y)"}).empty());
