@@ -23,8 +23,9 @@ Failure failure_of(Ending ending) {
               "accuracy, or with method " +
                   methods_of_fixed_step() + " for a longer h."};
     case Ending::nonfinite:
-      return {"nonfinite",
-              "The equations of motion, or a condition that has to hold, became infinite or undefined."};
+      return {
+          "nonfinite",
+          "The equations of motion, their derivatives, or a condition that has to hold became infinite or undefined."};
     case Ending::singular_mass:
       return {"singular-mass", "The mass matrix lost its inverse, so the accelerations are undetermined."};
     case Ending::tolerance:

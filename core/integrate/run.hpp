@@ -164,7 +164,7 @@ enum class Ending {
   reached_end,
   event,           ///< a terminal event
   step_limit,      ///< max_steps or max_evaluations spent, no progress in 1000 steps, or no step accepted
-  nonfinite,       ///< f became infinite or undefined
+  nonfinite,       ///< f, or a derivative that its series needs, became infinite or undefined
   singular_mass,   ///< the mass matrix lost its inverse
   tolerance,       ///< the tolerances ask for more than double precision holds, or the span is below 1e-140
   blow_up,         ///< |y| beyond max_magnitude, or a singularity reached in t's last digits (progress.hpp)
