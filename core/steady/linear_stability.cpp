@@ -77,17 +77,22 @@ std::vector<Interval> symmetric_part(const std::vector<Interval>& a, std::size_t
   return result;
 }
 
-/// K of the coordinates that are not free, or of all where none would be left.
-std::vector<Interval> held_stiffness(const LinearizedForces& at) {
-  const auto is_free = [&](std::size_t i) { return std::ranges::find(at.free, i) != at.free.end(); };
-  if (at.free.empty() || at.free.size() == at.n) return at.stiffness;
+/// Without the rows and columns at these places.
+std::vector<Interval> without(const std::vector<Interval>& a, std::size_t n,
+                              const std::vector<std::size_t>& left_out) {
+  const auto stays = [&](std::size_t i) { return std::ranges::find(left_out, i) == left_out.end(); };
   std::vector<Interval> result;
-  for (std::size_t i = 0; i < at.n; ++i) {
-    for (std::size_t j = 0; j < at.n; ++j) {
-      if (!is_free(i) && !is_free(j)) result.push_back(at.stiffness[i * at.n + j]);
+  for (std::size_t i = 0; i < n; ++i) {
+    for (std::size_t j = 0; j < n; ++j) {
+      if (stays(i) && stays(j)) result.push_back(a[i * n + j]);
     }
   }
   return result;
+}
+
+/// K of the coordinates that are not free, or of all where none would be left.
+std::vector<Interval> held_stiffness(const LinearizedForces& at) {
+  return at.free.size() == at.n ? at.stiffness : without(at.stiffness, at.n, at.free);
 }
 
 std::optional<Stability> by_potential(const LinearizedForces& at, bool gyroscopic) {
@@ -128,11 +133,14 @@ LinearizedForces turned(LinearizedForces at) {
   return at;
 }
 
-/// M and K positive definite, g = dU/dx: the energy 1/2 x'.M x' + U has a minimum at rest, and falls.
-bool loses_energy(const LinearizedForces& at) {
+/// M and K positive definite, g = dU/dx: the energy 1/2 x'.M x' + U has a minimum at rest.
+bool has_least_energy(const LinearizedForces& at) {
   return at.symmetric && inertia_of(at.mass, at.n).positive == at.n &&
-         inertia_of(at.stiffness, at.n).positive == at.n &&
-         inertia_of(symmetric_part(at.rates, at.n), at.n).positive == at.n;
+         inertia_of(at.stiffness, at.n).positive == at.n;
+}
+
+bool loses_energy(const LinearizedForces& at) {
+  return has_least_energy(at) && inertia_of(symmetric_part(at.rates, at.n), at.n).positive == at.n;
 }
 
 std::string why_undecided(const LinearizedForces& at, bool potential, const NextTerms& next_terms) {
@@ -163,6 +171,18 @@ bool has_potential(const LinearizedForces& at) {
     }
   }
   return inertia_of(at.mass, at.n).positive == at.n;
+}
+
+bool never_gains_energy(const LinearizedForces& at) {
+  if (!has_least_energy(at)) return false;
+  const std::vector<Interval> damping = symmetric_part(at.rates, at.n);
+  std::vector<std::size_t> undamped;
+  for (std::size_t i = 0; i < at.n; ++i) {
+    const std::span<const Interval> row = std::span(damping).subspan(i * at.n, at.n);
+    if (std::ranges::all_of(row, is_zero)) undamped.push_back(i);
+  }
+  const std::size_t damped = at.n - undamped.size();
+  return inertia_of(without(damping, at.n, undamped), damped).positive == damped;
 }
 
 SteadyStability linear_stability(const LinearizedForces& at, const NextTerms& next_terms) {

@@ -50,6 +50,10 @@ struct LinearizedForces {
 /// belongs to no potential.
 [[nodiscard]] bool has_potential(const LinearizedForces& at);
 
+/// M and K positive definite, g = dU/dx, and D + D^T positive definite but for rows that are 0: where the
+/// equations are linear, energy stays or is lost, and bounds what does not decay.
+[[nodiscard]] bool never_gains_energy(const LinearizedForces& at);
+
 /// What the terms of a potential of one coordinate beyond K do, a sentence.
 using NextTerms = std::function<std::string()>;
 

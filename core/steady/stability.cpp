@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "core/expr/simplify.hpp"
+#include "core/steady/free_direction.hpp"
 
 namespace qdot {
 
@@ -44,7 +45,19 @@ StabilityAnalysis::Energy StabilityAnalysis::energy(std::span<const Interval> x)
 }
 
 SteadyStability StabilityAnalysis::at(std::span<const Interval> x) {
-  return linear_stability(linearized(x), [&] { return next_terms(x); });
+  const LinearizedForces forces = linearized(x);
+  SteadyStability result = linear_stability(forces, [&] { return next_terms(x); });
+  if (result.stability != Stability::neutral || n_ < 2 || !has_linear_equations(*problem_.statics))
+    return result;
+  if (never_gains_energy(forces)) {
+    result.stability = Stability::stable;
+    result.undecided.clear();
+  } else {
+    result.undecided =
+        "An eigenvalue of the equations, which are linear, is zero or imaginary to within rounding: 'modes' says of "
+        "each motion whether it is known to neither grow nor decay.";
+  }
+  return result;
 }
 
 /// The signs of U''' and U'''' where U'' = 0 to within rounding. What follows from them holds where U'' = 0,

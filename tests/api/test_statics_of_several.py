@@ -204,6 +204,14 @@ class Families(Service):
         found = self.ask("equilibria", {"system": hat})
         self.lie_at(found, [(x, 0) for x in mp.polyroots([-4, 0, 4, mp.mpf("1e-6")])])
 
+    def test_beside_what_has_no_damping_linear_equations_are_stable(self):
+        """As 'modes' says; a cubic force may drive it."""
+        for cubic, stability in (("0", "stable"), ("0.1*x_dot*y_dot^2", "neutral")):
+            masses = lagrangian("masses", "c - 1", "x - 0.1; y - 0.1", "(x_dot^2 + y_dot^2)/2 - (x^2 + 4*y^2)/2",
+                                forces=[{"value": f"{cubic} - c*x_dot", "along": "x"}])
+            self.assertEqual(self.ask("equilibria", {"system": masses})["equilibria"][0]["stability"], stability)
+            self.assertEqual(self.ask("modes", {"system": masses})["equilibrium"]["stability"], stability)
+
     def lie_at(self, found, places):
         self.assertIs(found["complete"], True, found.get("reason"))
         self.assertEqual(len(found["equilibria"]), len(places))
