@@ -62,7 +62,7 @@ Finding extremum_at(const MotionBound& bound, const std::string& name) {
 std::string why_not_periodic(MotionKind kind) {
   switch (kind) {
     case MotionKind::separatrix:
-      return "The motion takes for ever to reach the maximum of the potential.";
+      return "As far as double precision tells, the motion takes for ever to reach the maximum of the potential.";
     case MotionKind::equilibrium:
       return "The system stays at rest.";
     case MotionKind::unbounded:
