@@ -7,9 +7,11 @@
 #include "core/expr/linear.hpp"
 #include "core/expr/simplify.hpp"
 #include "core/expr/trigonometry.hpp"
+#include "core/steady/centred_form.hpp"
 #include "core/steady/exponential_form.hpp"
 #include "core/steady/factors.hpp"
 #include "core/steady/fold_condition.hpp"
+#include "core/steady/fold_on_curve.hpp"
 #include "core/steady/growth_condition.hpp"
 #include "core/steady/linear_unknowns.hpp"
 #include "core/steady/numerator.hpp"
@@ -46,6 +48,7 @@ class SystemsDerivation {
       std::ranges::copy(denominators_of(g, all_x_), std::back_inserter(denominators));
     }
     leave_out_linear(numerators);
+    if (x_.size() == 1 && numerators.size() == 1) middle_ = middle_of_roots(numerators[0], variables_);
     for (Expression& e : denominators) e = substitute(e, by_those_left_);
     std::erase_if(denominators, [&](const Expression& e) { return !knows_all(e); });
     result_.denominators = compiled(denominators);
@@ -174,9 +177,9 @@ class SystemsDerivation {
 
   /// Functions of multiples of an angle, cos(3 x), may have factors that only those of the angle itself show.
   [[nodiscard]] std::vector<Factor> factors_in(const Expression& e) {
-    std::vector<Factor> plain = factors_along(e, p_);
+    std::vector<Factor> plain = factors_and_curves(e, p_);
     if (plain.size() != 1) return plain;
-    std::vector<Factor> single = factors_along(in_single_angles(e), p_);
+    std::vector<Factor> single = factors_and_curves(in_single_angles(e), p_);
     return single.size() > 1 ? single : plain;
   }
 
@@ -267,12 +270,21 @@ class SystemsDerivation {
         kind == BifurcationSystem::Kind::growth || kind == BifurcationSystem::Kind::degenerate_growth;
     const bool is_pole = kind == BifurcationSystem::Kind::pole;
     auto& systems = is_growth ? result_.growth : is_pole ? result_.poles : result_.systems;
-    systems.push_back({kind, compiled(values), compiled(jacobian)});
+    systems.push_back({kind, compiled(values), compiled(jacobian), compiled(folds_of(kind, f))});
+  }
+
+  [[nodiscard]] std::vector<Expression> folds_of(BifurcationSystem::Kind kind,
+                                                 const std::vector<Expression>& f) const {
+    if (kind != BifurcationSystem::Kind::meeting || x_.size() != 1) return {};
+    for (const auto& [curve, other] : {std::pair(f[0], f[1]), std::pair(f[1], f[0])}) {
+      if (const auto h = no_fold_on_curve(curve, other, variables_)) return {*h};
+    }
+    return {};
   }
 
   [[nodiscard]] CompiledFunction compiled(const std::vector<Expression>& expressions) {
     TapeBuilder tape(graph_, constants_, graph_.symbol("t"), variables_);
-    for (const Expression& e : expressions) tape.output(e);
+    for (const Expression& e : expressions) tape.output(middle_ ? in_powers_from(*middle_, e, x_[0]) : e);
     return tape.finish();
   }
 
@@ -286,6 +298,7 @@ class SystemsDerivation {
   std::vector<std::vector<Expression>> factors_;  ///< of each force
   std::vector<Expression> vanishing_;
   std::vector<Replacement> by_those_left_;
+  std::optional<Expression> middle_;  ///< of what is compiled
   GrowthCondition growth_;
   BifurcationSystems result_;
 };

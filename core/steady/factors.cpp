@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "core/base/error.hpp"
+#include "core/expr/linear_factors.hpp"
 #include "core/expr/polynomial_gcd.hpp"
 
 namespace qdot {
@@ -57,6 +58,27 @@ class Factors {
   std::vector<Factor> found_;
 };
 
+/// And what is left; e itself where there are none.
+std::vector<Expression> linear_factors_of(const Expression& e) {
+  std::vector<Expression> found;
+  try {
+    Polynomial rest = multiplied_out(e);
+    const Monomial common = common_monomial(rest);
+    if (!has_no_denominator({{common, Number(1)}})) return {e};
+    for (const Atom& atom : common) found.emplace_back(e.graph(), atom.base);
+    rest = scaled(rest, inverse(common), Number(1));
+    while (const auto factor = linear_factor(rest)) {
+      found.push_back(to_expression(e.graph(), *factor));
+      rest = *exact_quotient(rest, *factor);
+    }
+    if (found.empty()) return {e};
+    if (!is_number(rest)) found.push_back(to_expression(e.graph(), rest));
+    return found;
+  } catch (const Error&) {
+    return {e};
+  }
+}
+
 }  // namespace
 
 std::vector<Factor> factors_along(const Expression& e, const Expression& p) {
@@ -71,6 +93,17 @@ std::vector<Factor> factors_along(const Expression& e, const Expression& p) {
   } catch (const Error&) {  // the algebra grows too large
     return {{e, false}};
   }
+}
+
+std::vector<Factor> factors_and_curves(const Expression& e, const Expression& p) {
+  std::vector<Factor> result;
+  for (const Factor& factor : factors_along(e, p)) {
+    for (const Expression& base : linear_factors_of(factor.base)) {
+      if (std::ranges::find(result, base, &Factor::base) == result.end())
+        result.push_back({base, factor.is_repeated});
+    }
+  }
+  return result;
 }
 
 }  // namespace qdot
