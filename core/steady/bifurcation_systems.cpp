@@ -6,7 +6,6 @@
 #include "core/compile/tape_builder.hpp"
 #include "core/expr/linear.hpp"
 #include "core/expr/simplify.hpp"
-#include "core/expr/trigonometry.hpp"
 #include "core/steady/centred_form.hpp"
 #include "core/steady/exponential_form.hpp"
 #include "core/steady/factors.hpp"
@@ -161,7 +160,7 @@ class SystemsDerivation {
     for (const NodeId id : ids) {
       const Expression base = split_power(Expression(graph_, id)).base;
       if (depends_on(base, x_)) {
-        for (const Factor& factor : factors_in(base)) {
+        for (const Factor& factor : factors_and_curves(base, p_)) {
           if (depends_on(factor.base, x_)) {
             result.push_back(factor.base);
           } else if (depends_on(factor.base, p_)) {
@@ -173,25 +172,6 @@ class SystemsDerivation {
       }
     }
     return result;
-  }
-
-  /// Functions of multiples of an angle, cos(3 x), may have factors that only those of the angle itself show.
-  [[nodiscard]] std::vector<Factor> factors_in(const Expression& e) {
-    std::vector<Factor> plain = factors_and_curves(e, p_);
-    if (plain.size() != 1) return plain;
-    std::vector<Factor> single = factors_and_curves(in_single_angles(e), p_);
-    return single.size() > 1 ? single : plain;
-  }
-
-  [[nodiscard]] Expression in_single_angles(const Expression& e) {
-    const auto is_no_symbol = [](const Expression& u) { return !std::holds_alternative<Symbol>(u.node()); };
-    try {
-      const Polynomial terms = multiplied_out(e);
-      if (std::ranges::none_of(trigonometric_arguments(graph_, terms), is_no_symbol)) return e;
-      return to_expression(graph_, with_single_angles(graph_, terms));
-    } catch (const Error&) {  // the algebra grows too large
-      return e;
-    }
   }
 
   /// df/dx, or for one unknown that is no angle a function with the same zeros and without p.

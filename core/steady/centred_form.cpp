@@ -31,6 +31,24 @@ Polynomial moved_by(const Expression& c, const Expression& e, const Expression& 
   return multiplied_out(substitute(e, {&moved, 1}));
 }
 
+Number positive(const Number& number) { return number.is_negative() ? -number : number; }
+
+/// Whether the roots of a polynomial in powers of x - c are nearer to c than that is to 0, symbols
+/// being about 1: else powers of x - c cancel near 0, as of 1e-6 x^3 + x^2 + x - p, where c is -3e5.
+/// Source: Fujiwara's bound, but for its factor 2.
+bool are_near_middle(const std::map<int, Polynomial>& powers, const Number& c) {
+  const Number reach = Number::ratio(9, 10) * positive(c);
+  const auto& [degree, leading] = *powers.rbegin();
+  const Number front = positive(leading.begin()->second);
+  for (const auto& [exponent, part] : powers) {
+    if (exponent == degree) continue;
+    const Number most = front * power(reach, degree - exponent);
+    if (std::ranges::any_of(part, [&](const auto& term) { return most < positive(term.second); }))
+      return false;
+  }
+  return true;
+}
+
 }  // namespace
 
 std::optional<Expression> middle_of_roots(const Expression& e, std::span<const Expression> variables) {
@@ -43,10 +61,11 @@ std::optional<Expression> middle_of_roots(const Expression& e, std::span<const E
     const auto next = parts.find(degree - 1);
     if (degree < 2 || next == parts.end() || leading.size() != 1) return std::nullopt;
     const Expression front = Number(-degree) * to_expression(x.graph(), leading);
-    if (depends_on(front, variables)) return std::nullopt;
+    if (front.number() == nullptr) return std::nullopt;
     const Expression c = simplify(to_expression(x.graph(), next->second) / front);
-    if (depends_on(c, variables)) return std::nullopt;
-    return moved_by(c, e, x).size() <= whole.size() ? std::optional(c) : std::nullopt;
+    if (c.number() == nullptr) return std::nullopt;
+    const std::map<int, Polynomial> centred = powers_in(moved_by(c, e, x), x);
+    return are_near_middle(centred, *c.number()) ? std::optional(c) : std::nullopt;
   } catch (const Error&) {  // the algebra grows too large
     return std::nullopt;
   }

@@ -9,8 +9,8 @@
 
 namespace qdot {
 
-/// The middle c of the roots of e, a polynomial of the first of the `variables`, where no variable is in it.
-/// None where e is of another form, or longer in powers of x - c.
+/// The middle c of the roots of e, a polynomial of the first of the `variables`, where c is a number. None
+/// where e is of another form, or where the roots lie farther apart than c is from 0.
 [[nodiscard]] std::optional<Expression> middle_of_roots(const Expression& e,
                                                         std::span<const Expression> variables);
 

@@ -64,10 +64,30 @@ class ObliqueCrossings(Service):
         expected = [(-0.6, 0.2 - 0.3 + math.pi, "pitchfork"), (1.4, 0.2 + 0.7, "pitchfork")]
         self.assert_found("-sin(x - 0.2 - 0.5*r)*(cos(x - 0.2 - 0.5*r) - (r - 0.4))", -2, 3, expected, "rad")
 
+    def test_one_that_has_gone_round_more_than_once(self):
+        """The same of its potential; the curve is at 9.51 for r = -4.225, a turn and more on."""
+        expected = [(-4.225, 0.88 + 1.3 * 4.225 + math.pi - 4 * math.pi, "pitchfork"),
+                    (2.025, 0.88 - 1.3 * 2.025, "pitchfork")]
+        self.assert_found("(8*r/25 + 44/125)*sin(13*r/10 + x - 22/25) - sin(13*r/5 + 2*x - 44/25)/2", -5.52, 3.12,
+                          expected, "rad")
+
+    def test_a_pitchfork_that_is_hardly_unsymmetric(self):
+        """u (u^4 + e u^3 - b u^2 - r), b = 0.718: numbers of very different sizes are in what folds."""
+        aside = math.sqrt(0.359)
+        self.assert_found("-u*(u^4 + u^3/1e15 - 0.718*u^2 - r)".replace("u", "(x - 0.6615)"), -0.322, 0.644,
+                          [(-0.359 ** 2, 0.6615 - aside, "saddle_node"), (-0.359 ** 2, 0.6615 + aside, "saddle_node"),
+                           (0, 0.6615, "pitchfork")])
+
     def test_a_pitchfork_that_is_not_symmetric(self):
         """The fold of r = x^2 + x^3/5 at x = 0 lies on x = 0, that at x = -10/3 does not."""
         self.assert_found("-x*(x^2 + x^3/5 - r)", -1, 5,
                           [(0, 0, "pitchfork"), (100 / 27, -10 / 3, "saddle_node")])
+
+    def test_a_term_that_matters_far_out_alone(self):
+        """The middle of the roots of e x^3 + x^2 + x - r is at -1/(3 e): no place to count from."""
+        for e in (1e-6, 1e-9):
+            x = -1 / (1 + math.sqrt(1 - 3 * e))
+            self.assert_found(f"-({e}*x^3 + x^2 + x - r)", -1, 1, [(e * x ** 3 + x * x + x, x, "saddle_node")])
 
     def test_a_shifted_and_scaled_one(self):
         """u^5 - b u^3 - r u, u = 40 (x + 1.8), b = 2.91: a pitchfork and two folds at r = -b^2/4."""

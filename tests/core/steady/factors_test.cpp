@@ -73,6 +73,13 @@ TEST_F(FactorsAlong, SoAreFunctionsOfTheParameter) {
   EXPECT_TRUE(has(found, sin(x - p), false));
 }
 
+TEST_F(FactorsAlong, MultiplesOfAnAngleThatMovesAreSplitByTheAngle) {
+  const Expression u = x - Number::ratio(13, 10) * p - graph.number(Number::ratio(22, 25));
+  const auto found = factors_and_curves(expand(sin(expand(Number(2) * u)) - g * p * sin(u)), p);
+  ASSERT_EQ(found.size(), 2U);
+  EXPECT_TRUE(has(found, sin(u), false));
+}
+
 TEST_F(FactorsAlong, WhatIsNoPolynomialInTheParameterStaysWhole) {
   for (const Expression& e : {sin(p) * x + x * x, x / p + g}) {
     const auto found = factors_along(e, p);
