@@ -10,6 +10,21 @@ namespace {
 
 Eigen::Index row_at(std::size_t i) { return static_cast<Eigen::Index>(i); }
 
+/// Of equations that are not of one size, as those that algebra has rid of denominators: each is divided by
+/// the power of 2 that its slopes have, or the smaller ones would count as nothing.
+Eigen::MatrixXd inverse_by_rows(Eigen::MatrixXd j) {
+  Eigen::VectorXd sizes(j.rows());
+  for (Eigen::Index i = 0; i < j.rows(); ++i) {
+    int exponent = 0;
+    (void)std::frexp(j.row(i).cwiseAbs().maxCoeff(), &exponent);
+    sizes[i] = std::ldexp(1.0, -exponent);
+    j.row(i) *= sizes[i];
+  }
+  Eigen::MatrixXd result = inverse(j);
+  for (Eigen::Index i = 0; i < j.rows(); ++i) result.col(i) *= sizes[i];
+  return result;
+}
+
 /// J(c)^-1 rounded; no value where it is singular or not finite.
 std::optional<Eigen::MatrixXd> inverse_at(const SquareSystem& system, const Box& c) {
   const Eigen::Index n = row_at(c.size());
@@ -19,6 +34,7 @@ std::optional<Eigen::MatrixXd> inverse_at(const SquareSystem& system, const Box&
   for (std::size_t k = 0; k < jacobian.size(); ++k) j(row_at(k) / n, row_at(k) % n) = jacobian[k].middle();
   if (!j.allFinite()) return std::nullopt;
   Eigen::MatrixXd result = inverse(j);
+  if (!result.allFinite()) result = inverse_by_rows(j);
   if (!result.allFinite()) return std::nullopt;
   return result;
 }

@@ -6,10 +6,11 @@
 #include "core/compile/tape_builder.hpp"
 #include "core/expr/linear.hpp"
 #include "core/expr/simplify.hpp"
-#include "core/expr/trigonometry.hpp"
+#include "core/steady/centred_form.hpp"
 #include "core/steady/exponential_form.hpp"
 #include "core/steady/factors.hpp"
 #include "core/steady/fold_condition.hpp"
+#include "core/steady/fold_on_curve.hpp"
 #include "core/steady/growth_condition.hpp"
 #include "core/steady/linear_unknowns.hpp"
 #include "core/steady/numerator.hpp"
@@ -46,6 +47,7 @@ class SystemsDerivation {
       std::ranges::copy(denominators_of(g, all_x_), std::back_inserter(denominators));
     }
     leave_out_linear(numerators);
+    if (x_.size() == 1 && numerators.size() == 1) middle_ = middle_of_roots(numerators[0], variables_);
     for (Expression& e : denominators) e = substitute(e, by_those_left_);
     std::erase_if(denominators, [&](const Expression& e) { return !knows_all(e); });
     result_.denominators = compiled(denominators);
@@ -158,7 +160,7 @@ class SystemsDerivation {
     for (const NodeId id : ids) {
       const Expression base = split_power(Expression(graph_, id)).base;
       if (depends_on(base, x_)) {
-        for (const Factor& factor : factors_in(base)) {
+        for (const Factor& factor : factors_and_curves(base, p_)) {
           if (depends_on(factor.base, x_)) {
             result.push_back(factor.base);
           } else if (depends_on(factor.base, p_)) {
@@ -170,25 +172,6 @@ class SystemsDerivation {
       }
     }
     return result;
-  }
-
-  /// Functions of multiples of an angle, cos(3 x), may have factors that only those of the angle itself show.
-  [[nodiscard]] std::vector<Factor> factors_in(const Expression& e) {
-    std::vector<Factor> plain = factors_along(e, p_);
-    if (plain.size() != 1) return plain;
-    std::vector<Factor> single = factors_along(in_single_angles(e), p_);
-    return single.size() > 1 ? single : plain;
-  }
-
-  [[nodiscard]] Expression in_single_angles(const Expression& e) {
-    const auto is_no_symbol = [](const Expression& u) { return !std::holds_alternative<Symbol>(u.node()); };
-    try {
-      const Polynomial terms = multiplied_out(e);
-      if (std::ranges::none_of(trigonometric_arguments(graph_, terms), is_no_symbol)) return e;
-      return to_expression(graph_, with_single_angles(graph_, terms));
-    } catch (const Error&) {  // the algebra grows too large
-      return e;
-    }
   }
 
   /// df/dx, or for one unknown that is no angle a function with the same zeros and without p.
@@ -267,12 +250,21 @@ class SystemsDerivation {
         kind == BifurcationSystem::Kind::growth || kind == BifurcationSystem::Kind::degenerate_growth;
     const bool is_pole = kind == BifurcationSystem::Kind::pole;
     auto& systems = is_growth ? result_.growth : is_pole ? result_.poles : result_.systems;
-    systems.push_back({kind, compiled(values), compiled(jacobian)});
+    systems.push_back({kind, compiled(values), compiled(jacobian), compiled(folds_of(kind, f))});
+  }
+
+  [[nodiscard]] std::vector<Expression> folds_of(BifurcationSystem::Kind kind,
+                                                 const std::vector<Expression>& f) const {
+    if (kind != BifurcationSystem::Kind::meeting || x_.size() != 1) return {};
+    for (const auto& [curve, other] : {std::pair(f[0], f[1]), std::pair(f[1], f[0])}) {
+      if (const auto h = no_fold_on_curve(curve, other, variables_)) return {*h};
+    }
+    return {};
   }
 
   [[nodiscard]] CompiledFunction compiled(const std::vector<Expression>& expressions) {
     TapeBuilder tape(graph_, constants_, graph_.symbol("t"), variables_);
-    for (const Expression& e : expressions) tape.output(e);
+    for (const Expression& e : expressions) tape.output(middle_ ? in_powers_from(*middle_, e, x_[0]) : e);
     return tape.finish();
   }
 
@@ -286,6 +278,7 @@ class SystemsDerivation {
   std::vector<std::vector<Expression>> factors_;  ///< of each force
   std::vector<Expression> vanishing_;
   std::vector<Replacement> by_those_left_;
+  std::optional<Expression> middle_;  ///< of what is compiled
   GrowthCondition growth_;
   BifurcationSystems result_;
 };

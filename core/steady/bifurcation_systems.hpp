@@ -26,6 +26,9 @@ struct BifurcationSystem {
   enum class Kind { fold, degenerate_fold, meeting, growth, degenerate_growth, pole };
   Kind kind{};
   CompiledFunction values, jacobian;
+  /// Of a meeting of one unknown: where this is not 0, one of both curves folds at the very place, by its
+  /// formula. Without outputs where that is not known.
+  CompiledFunction folds{};
 };
 
 struct BifurcationSystems {
@@ -57,8 +60,7 @@ struct BifurcationSystems {
   };
   std::vector<Nested> nested;
   CompiledFunction higher;  ///< N_xx, N_xp, N_xxx; only of one unknown
-  /// Centres of reflections that turn N into -N, whatever p: functions without variables that matter. Of one
-  /// unknown.
+  /// Centres of reflections that turn N into -N, functions of p alone, whatever it is. Of one unknown.
   CompiledFunction centres;
   std::vector<Mirror> mirrors;  ///< of several unknowns
 };

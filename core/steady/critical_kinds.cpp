@@ -63,16 +63,36 @@ std::optional<KnownZero> kind_in_families(const SteadyProblem& problem, const Bi
   return KnownZero{here, BifurcationKind::unresolved, several_events, {}};
 }
 
+/// A curve folds where it meets another, as it does in x (x^2 + x^3 - p): neither is a critical point by
+/// itself. Takes both out of `zeros`; others there, or none of the two, and nothing is taken.
+std::vector<KnownZero> take_folds_on_curves(const SteadyProblem& problem, const BifurcationSystems& systems,
+                                            std::vector<CriticalZero>& zeros) {
+  using Kind = BifurcationSystem::Kind;
+  std::vector<KnownZero> result;
+  for (std::size_t k = 0; k < zeros.size(); ++k) {
+    const CriticalZero here = zeros[k];
+    if (!here.folds || !here.simple || !is_pitchfork(problem, systems, here)) continue;
+    const auto is_here = [&](const CriticalZero& other) { return overlap(other, here); };
+    const auto is_fold = [&](const CriticalZero& other) {
+      return is_here(other) && other.simple && other.kind == Kind::fold;
+    };
+    if (std::ranges::count_if(zeros, is_here) != 2 || std::ranges::count_if(zeros, is_fold) != 1) continue;
+    result.push_back({here, BifurcationKind::pitchfork, "", {}});
+    std::erase_if(zeros, is_here);
+    k = static_cast<std::size_t>(-1);
+  }
+  return result;
+}
+
 }  // namespace
 
 std::vector<KnownZero> kinds_by_normal_form(const SteadyProblem& problem, const BifurcationSystems& systems,
                                             std::span<const CriticalZero> zeros, SymmetryAxes& axes,
                                             std::span<const double> degenerate) {
-  std::vector<KnownZero> result;
-  std::vector<CriticalZero> rest;
-  for (const CriticalZero& zero : zeros) {
-    if (!axes.explain(Box{zero.x[0], zero.p})) join(rest, zero);
-  }
+  std::vector<CriticalZero> rest, elsewhere(zeros.begin(), zeros.end());
+  std::erase_if(elsewhere, [&](const CriticalZero& zero) { return axes.explain(Box{zero.x[0], zero.p}); });
+  std::vector<KnownZero> result = take_folds_on_curves(problem, systems, elsewhere);
+  for (const CriticalZero& zero : elsewhere) join(rest, zero);
   for (const NormalForm& form : axes.found()) {
     if (std::ranges::any_of(degenerate, [&](double p) { return form.p.contains(p); })) continue;
     CriticalZero place{BifurcationSystem::Kind::meeting, {form.x}, form.p, form.proven};

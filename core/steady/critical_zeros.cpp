@@ -96,6 +96,13 @@ bool has_none_for_any_parameter(TapeEvaluator<Interval>& values, Box region) {
   return true;
 }
 
+bool folds_at(const BifurcationSystem& system, const SteadyProblem& problem, const Box& place) {
+  if (system.folds.outputs() == 0) return false;
+  Box value(1);
+  TapeEvaluator<Interval>(system.folds, problem.constants)(place, value);
+  return !value[0].contains(0.0);
+}
+
 Isolation isolated(const Model& model, const SteadyProblem& problem, std::span<const std::size_t> unknowns,
                    const BifurcationSystem& system, const Interval& range,
                    const std::function<bool(std::span<const Interval>)>& known) {
@@ -150,6 +157,7 @@ CriticalZeros critical_zeros(const Model& model, const SteadyProblem& problem,
     for (const IsolatedZero& found : isolation.zeros) {
       const Box& at = found.enclosure;
       CriticalZero zero{system.kind, {at.begin(), at.end() - 1}, at.back(), found.simple};
+      zero.folds = folds_at(system, problem, at);
       if (is_empty(intersection(zero.p, range))) continue;
       for (std::size_t k = 0; k < zero.x.size(); ++k) {
         if (problem.forces->turns[systems.unknowns[k]]) zero.x[k] = reduced_angle(zero.x[k]);

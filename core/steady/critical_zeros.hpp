@@ -17,6 +17,7 @@ struct CriticalZero {
   Box x;  ///< of the systems' unknowns; angles in (-pi, pi]
   Interval p;
   bool simple{};  ///< proven to be one simple zero; otherwise a cluster that rounding does not resolve
+  bool folds{};   ///< of a meeting: one of both curves folds at the very place
 };
 
 /// Whether both may be the same place.

@@ -3,7 +3,10 @@
 #include <algorithm>
 
 #include "core/base/error.hpp"
+#include "core/expr/calculus.hpp"
+#include "core/expr/linear_factors.hpp"
 #include "core/expr/polynomial_gcd.hpp"
+#include "core/expr/trigonometry.hpp"
 
 namespace qdot {
 namespace {
@@ -57,6 +60,81 @@ class Factors {
   std::vector<Factor> found_;
 };
 
+/// And what is left; e itself where there are none.
+std::vector<Expression> linear_factors_of(const Expression& e) {
+  std::vector<Expression> found;
+  try {
+    Polynomial rest = multiplied_out(e);
+    const Monomial common = common_monomial(rest);
+    if (!has_no_denominator({{common, Number(1)}})) return {e};
+    for (const Atom& atom : common) found.emplace_back(e.graph(), atom.base);
+    rest = scaled(rest, inverse(common), Number(1));
+    while (const auto factor = linear_factor(rest)) {
+      found.push_back(to_expression(e.graph(), *factor));
+      rest = *exact_quotient(rest, *factor);
+    }
+    if (found.empty()) return {e};
+    if (!is_number(rest)) found.push_back(to_expression(e.graph(), rest));
+    return found;
+  } catch (const Error&) {
+    return {e};
+  }
+}
+
+std::vector<Factor> with_linear_ones(const Expression& e, const Expression& p) {
+  std::vector<Factor> result;
+  for (const Factor& factor : factors_along(e, p)) {
+    for (const Expression& base : linear_factors_of(factor.base)) {
+      if (std::ranges::find(result, base, &Factor::base) == result.end())
+        result.push_back({base, factor.is_repeated});
+    }
+  }
+  return result;
+}
+
+/// k, where a = k u and k is a whole number.
+std::optional<Number> multiple_of(const Expression& u, const Expression& a) {
+  const auto quotient = exact_quotient(multiplied_out(a), multiplied_out(u));
+  if (!quotient || !is_number(*quotient) || !quotient->begin()->second.is_integer()) return std::nullopt;
+  return quotient->begin()->second;
+}
+
+/// Each argument by the symbol w of an angle u that all of them are multiples of; empty where there is none.
+std::vector<Replacement> as_multiples(std::span<const Expression> arguments, const Expression& u,
+                                      const Expression& w) {
+  std::vector<Replacement> result;
+  for (const Expression& argument : arguments) {
+    const auto k = multiple_of(u, argument);
+    if (!k) return {};
+    result.emplace_back(argument, *k * w);
+  }
+  return result;
+}
+
+/// By the multiples of one that moves with p, where all are, as u = x - p: those of x alone would tear u
+/// apart.
+Expression in_single_angles(const Expression& e, const Expression& p) {
+  const auto is_no_symbol = [](const Expression& u) { return !std::holds_alternative<Symbol>(u.node()); };
+  Graph& graph = e.graph();
+  try {
+    const Polynomial terms = multiplied_out(e);
+    const std::vector<Expression> arguments = trigonometric_arguments(graph, terms);
+    if (std::ranges::none_of(arguments, is_no_symbol)) return e;
+    const Expression w = graph.symbol("w of angles");
+    for (const Expression& u : arguments) {
+      if (!depends_on(u, p)) continue;
+      const std::vector<Replacement> multiples = as_multiples(arguments, u, w);
+      if (multiples.empty()) continue;
+      const Polynomial of_w = multiplied_out(substitute(to_expression(graph, terms), multiples));
+      const Replacement back{w, u};
+      return substitute(to_expression(graph, with_single_angles(graph, of_w)), {&back, 1});
+    }
+    return to_expression(graph, with_single_angles(graph, terms));
+  } catch (const Error&) {  // the algebra grows too large
+    return e;
+  }
+}
+
 }  // namespace
 
 std::vector<Factor> factors_along(const Expression& e, const Expression& p) {
@@ -71,6 +149,13 @@ std::vector<Factor> factors_along(const Expression& e, const Expression& p) {
   } catch (const Error&) {  // the algebra grows too large
     return {{e, false}};
   }
+}
+
+std::vector<Factor> factors_and_curves(const Expression& e, const Expression& p) {
+  std::vector<Factor> plain = with_linear_ones(e, p);
+  if (plain.size() != 1) return plain;
+  std::vector<Factor> single = with_linear_ones(in_single_angles(e, p), p);
+  return single.size() > 1 ? single : plain;
 }
 
 }  // namespace qdot

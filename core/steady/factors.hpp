@@ -17,4 +17,9 @@ struct Factor {
 /// Each once, none a number; e itself where nothing is found.
 [[nodiscard]] std::vector<Factor> factors_along(const Expression& e, const Expression& p);
 
+/// Those, with functions of p for symbols of their own, too, and of each what is linear in one of its symbols
+/// (core/expr/linear_factors.hpp), such as curves x = c(p); where there are none, those that only functions
+/// of a single angle show: sin u of sin(2 u) - p sin(u).
+[[nodiscard]] std::vector<Factor> factors_and_curves(const Expression& e, const Expression& p);
+
 }  // namespace qdot

@@ -6,20 +6,17 @@
 #include "core/expr/calculus.hpp"
 #include "core/expr/simplify.hpp"
 #include "core/expr/special_angles.hpp"
+#include "core/steady/fold_on_curve.hpp"
 
 namespace qdot {
 namespace {
 
-/// Where f vanishes, if it is linear in x, the first of the variables, and that is the same for every p.
-/// False where it is not linear.
+/// Where f vanishes, if it is linear in x, the first of the variables. False where it is not.
 bool add_zero_of(const Expression& f, std::span<const Expression> variables, std::vector<Expression>& found) {
-  const Expression& x = variables[0];
-  const Expression slope = simplify(differentiate(f, x));
+  const Expression slope = simplify(differentiate(f, variables[0]));
   if (slope.is_zero()) return true;
-  if (depends_on(slope, x)) return false;
-  const std::vector<Replacement> origin{{x, x.graph().number(0)}};
-  const Expression centre = simplify(Number(-1) * substitute(f, origin) / slope);
-  if (!depends_on(centre, variables)) found.push_back(centre);
+  if (depends_on(slope, variables[0])) return false;
+  if (const auto centre = curve_of_line(f, variables)) found.push_back(*centre);
   return true;
 }
 
@@ -36,7 +33,7 @@ void add_right_angles(const Expression& e, std::span<const Expression> variables
     const Expression argument(graph, call->argument), slope = differentiate(argument, x);
     const std::vector<Replacement> origin{{x, graph.number(0)}};
     const Expression offset = substitute(argument, origin);
-    if (slope.number() == nullptr || depends_on(offset, variables)) continue;
+    if (slope.number() == nullptr || !has_value_everywhere(offset, variables)) continue;
     const double in_half_a_turn = 2 * std::abs(slope.number()->value());
     for (int k = 0; k < std::min(most, in_half_a_turn); ++k)
       found.push_back((Number::ratio(k, 2) * graph.symbol("pi") - offset) / slope);

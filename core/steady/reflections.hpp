@@ -10,7 +10,7 @@
 namespace qdot {
 
 /// c of each x -> 2 c - x that turns N into -N, of the middles that `factors` of N and its derivatives
-/// suggest. `variables`: x and the parameter.
+/// suggest. `variables`: x and the parameter, with which c may move.
 [[nodiscard]] std::vector<Expression> centres_of_reflection(const Expression& numerator,
                                                             std::span<const Expression> factors,
                                                             std::span<const Expression> variables);

@@ -31,7 +31,10 @@ Box search_region(const Model& model, const SteadyProblem& problem, std::span<co
   return region;
 }
 
-Interval reduced_angle(const Interval& angle) {
+Interval reduced_angle(const Interval& any) {
+  const double turns = std::round(any.middle() / (2 * pi));
+  const bool is_far = std::isfinite(turns) && std::abs(turns) > 1;
+  const Interval angle = is_far ? any - Interval(turns) * full_turn() : any;
   if (angle.lower <= -pi) return angle + full_turn();
   return angle.upper > pi && !angle.contains(pi) ? angle - full_turn() : angle;
 }

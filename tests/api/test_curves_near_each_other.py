@@ -120,7 +120,7 @@ class CurvesNearEachOther(Service):
         found = self.found(scene("-1e-9*cos(x + 2.18) - 0.893*cos(4*(x + 2.18)) - r*cos(2*(x + 2.18))", "rad"), -13, 12)
         self.assertTrue(found["complete"])
         values = {one["value"] for one in found["critical"]} | {-13, 12}
-        self.assertEqual(len(values), 6)
+        self.assertEqual(len(found["critical"]), 4)
         for branch in found["branches"]:
             self.assertLessEqual({branch["r"][0], branch["r"][-1]}, values)
 

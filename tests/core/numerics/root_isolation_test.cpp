@@ -119,6 +119,27 @@ TEST(ZerosInABox, CirclesAndLinesMeetInThePlane) {
   }
 }
 
+TEST(ZerosInABox, EquationsMayBeOfVeryDifferentSizes) {
+  for (const double size : {1.0, 1e12, 1e25, 1e60}) {
+    const Interval large(size);
+    const SquareSystem fold{2,
+                            [&](Span x, std::span<Interval> out) {
+                              out[0] = square(x[0]) - x[1];
+                              out[1] = large * x[0];
+                            },
+                            [&](Span x, std::span<Interval> out) {
+                              out[0] = Interval(2) * x[0];
+                              out[1] = -1;
+                              out[2] = large;
+                              out[3] = 0;
+                            }};
+    const Isolation found = isolate_zeros(fold, {Interval(-1, 1.3), Interval(-2, 3.1)});
+    ASSERT_TRUE(found.complete);
+    ASSERT_EQ(found.zeros.size(), 1U) << size;
+    EXPECT_TRUE(found.zeros[0].simple) << size;
+  }
+}
+
 TEST(ZerosInABox, SinesInSpaceHaveAsManyAsTheyShould) {
   const SquareSystem system{3,
                             [](Span x, auto out) {

@@ -58,6 +58,28 @@ TEST_F(FactorsAlong, ASymbolAloneIsNotRepeated) {
   EXPECT_FALSE(found[0].is_repeated);
 }
 
+TEST_F(FactorsAlong, CurvesThatMoveWithTheParameterAreSplitOff) {
+  const Expression first = line(-3, 1, 2), second = line(5, -2, 1), rest = x * x - line(2, 0, 5);
+  const auto found = factors_and_curves(expand(first * second * rest), p);
+  ASSERT_EQ(found.size(), 3U);
+  EXPECT_TRUE(has(found, first, false));
+  EXPECT_TRUE(has(found, second, false));
+  EXPECT_TRUE(has(found, rest, false));
+}
+
+TEST_F(FactorsAlong, SoAreFunctionsOfTheParameter) {
+  const auto found = factors_and_curves(expand(sin(x - p) * (cos(x - p) - g * p)), p);
+  ASSERT_EQ(found.size(), 2U);
+  EXPECT_TRUE(has(found, sin(x - p), false));
+}
+
+TEST_F(FactorsAlong, MultiplesOfAnAngleThatMovesAreSplitByTheAngle) {
+  const Expression u = x - Number::ratio(13, 10) * p - graph.number(Number::ratio(22, 25));
+  const auto found = factors_and_curves(expand(sin(expand(Number(2) * u)) - g * p * sin(u)), p);
+  ASSERT_EQ(found.size(), 2U);
+  EXPECT_TRUE(has(found, sin(u), false));
+}
+
 TEST_F(FactorsAlong, WhatIsNoPolynomialInTheParameterStaysWhole) {
   for (const Expression& e : {sin(p) * x + x * x, x / p + g}) {
     const auto found = factors_along(e, p);
