@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "core/integrate/events.hpp"
+#include "core/numerics/constants.hpp"
 
 namespace qdot {
 namespace {
@@ -12,6 +13,7 @@ namespace {
 constexpr int halvings = 60;
 constexpr double growth_at_pole = 3;
 constexpr double widened = 256;  ///< times what a place is known to
+constexpr double of_end = 16;    ///< roundings of what is zero where a value ceases to be
 
 // At a pole values grow towards the place on both sides: at a jump they may be large, too, but no more so the
 // nearer it is. [from, to] is the step.
@@ -87,15 +89,32 @@ bool EventSearch::is_bounded_around(std::size_t event, const SignChange& place) 
   return to > from && finite_series(event, polynomial_.piece(from, to - from)).is_finite();
 }
 
+/// Since the step's beginning. What ends the run because a value ceases to be there is rounded: by that the
+/// value may have gone a little before.
+double EventSearch::value_is_wanted_until(const Found& found) {
+  if (!found.terminal) return infinity;
+  const EventOccurrence& last = found.events.back();
+  const EventFunction& event = request_.events[last.event];
+  const double begin = polynomial_.whole().t, at = last.t - begin;
+  if (!event.must_have_value || !event.rounding) return at;
+  const double hidden = of_end * event.rounding(last.t, last.y);
+  double before = time_round_off(last.t);
+  while (before < at && std::abs(value_at(last.event, last.t - before)) <= hidden) before *= 2;
+  return at - std::min(before, at);
+}
+
+/// On the step's polynomial.
+double EventSearch::value_at(std::size_t event, double t) {
+  const MotionPiece there = polynomial_.piece(t - polynomial_.whole().t, polynomial_.whole().h);
+  for (std::size_t i = 0; i < y_.size(); ++i) y_[i] = there.rows[i * (there.order + 1)];
+  return request_.events[event].value(t, y_);
+}
+
 /// Of an event that is reported only.
 bool EventSearch::is_pole_between(std::size_t event, double from, double to) {
   if (request_.events[event].terminal) return false;
   const double begin = polynomial_.whole().t, h = polynomial_.whole().h;
-  const auto g = [&](double t) {
-    const MotionPiece there = polynomial_.piece(t - begin, h);
-    for (std::size_t i = 0; i < y_.size(); ++i) y_[i] = there.rows[i * (there.order + 1)];
-    return request_.events[event].value(t, y_);
-  };
+  const auto g = [&](double t) { return value_at(event, t); };
   const double before = begin + from, after = begin + to;
   const SignChange place{before, g(before), after, g(after)};
   return !is_bounded_around(event, place) && grows_towards(g, place, begin, begin + h);

@@ -74,8 +74,7 @@ EventSearch::Found EventSearch::search(Stepper& stepper) {
   }
   if (!found.failure) report(stepper, std::move(zeros), found);
   if (found.terminal) approaches_.forget_after(found.events.back().t);
-  if (nowhere_from_ < (found.terminal ? found.events.back().t - polynomial_.whole().t : infinity))
-    found.failure = Ending::nonfinite;
+  if (nowhere_from_ < value_is_wanted_until(found)) found.failure = Ending::nonfinite;
   if (!found.failure && !near_.empty()) look_for_approaches(stepper, found);
   return found;
 }

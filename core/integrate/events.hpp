@@ -159,6 +159,8 @@ class EventSearch {
   [[nodiscard]] int sign_before(std::size_t event, bool is_met) const;
   [[nodiscard]] bool is_bounded_around(std::size_t event, const SignChange& place);
   void report(Stepper& stepper, std::vector<Zero> zeros, Found& found);
+  [[nodiscard]] double value_is_wanted_until(const Found& found);
+  [[nodiscard]] double value_at(std::size_t event, double t);
 
   const RunRequest& request_;
   StepPolynomial polynomial_;

@@ -1,79 +1,17 @@
 #include "core/motion/hidden_impacts.hpp"
 
 #include <algorithm>
-#include <cmath>
-#include <limits>
 #include <span>
 #include <string>
 #include <vector>
 
 #include "core/dynamics/watch.hpp"
 #include "core/motion/accumulation.hpp"
-#include "core/motion/impact_map.hpp"
+#include "core/motion/bounce.hpp"
+#include "core/motion/kept_together.hpp"
 
 namespace qdot {
 namespace {
-
-/// The velocities that `after` has and y has not.
-std::vector<double> kick(const std::vector<double>& y, const std::vector<double>& after) {
-  std::vector<double> change;
-  for (std::size_t i = y.size() / 2; i < y.size(); ++i) change.push_back(after[i] - y[i]);
-  return change;
-}
-
-constexpr double rounding_of_kick = 64 * std::numeric_limits<double>::epsilon();
-
-double product(const std::vector<double>& a, const std::vector<double>& b) {
-  double sum = 0;
-  for (std::size_t i = 0; i < a.size(); ++i) sum += a[i] * b[i];
-  return sum;
-}
-
-std::vector<Watch> watches_of_impacts(const ComputedMotion& motion) {
-  std::vector<Watch> found =
-      watches(motion.dynamics, {.parameters = motion.request.parameters, .on_invalid = OnInvalid::go_on});
-  std::erase_if(found, [](const Watch& watch) { return watch.kind != Watch::Kind::impact; });
-  return found;
-}
-
-/// One of the scene's impacts.
-class Bounce {
- public:
-  Bounce(const ComputedMotion& motion, const ParsedImpact& impact, const Watch& watch)
-      : watch_(watch),
-        map_(impact_map(motion.dynamics.model(), impact)),
-        components_(motion.dynamics.columns(map_.components)),
-        workspace_(components_->bind(motion.request.parameters)) {}
-
-  [[nodiscard]] const Watch& watch() const { return watch_; }
-
-  /// Whether another one at (t, y) would change nothing of what it has changed before, but for rounding.
-  [[nodiscard]] bool leaves_nothing(double t, const std::vector<double>& y, const SectionRecord& before) {
-    const std::vector<double> now = kick(y, map(t, y)), first = kick(before.before, before.after);
-    return std::sqrt(product(now, now)) <= rounding_of_kick * std::sqrt(product(first, first));
-  }
-
-  /// What it changes, if the motion goes on towards it: it turns what it takes back, and so it did before.
-  [[nodiscard]] std::vector<double> change(double t, const std::vector<double>& y,
-                                           const SectionRecord& before) {
-    const std::vector<double> after = map(t, y), now = kick(y, after);
-    const bool turns = product(now, kick(after, map(t, after))) < 0;
-    const bool falls = product(now, kick(before.before, before.after)) > 0;
-    return turns && falls ? now : std::vector<double>(now.size());
-  }
-
- private:
-  std::vector<double> map(double t, std::vector<double> y) {
-    std::vector<double> values(map_.places.size());
-    if (components_->evaluate(t, y, workspace_, values) == Evaluation::ok) map_.assign(values, y);
-    return y;
-  }
-
-  const Watch& watch_;
-  ImpactMap map_;
-  std::shared_ptr<const CompiledFunction> components_;
-  Workspace workspace_;
-};
 
 class HiddenImpacts {
  public:
@@ -91,6 +29,10 @@ class HiddenImpacts {
       const auto row = static_cast<std::size_t>(t - instants.begin());
       if (!look_at(row, *t, impact)) return;
     }
+  }
+
+  void doubt_kept() {
+    for (std::size_t i = 0; i < bounces_.size(); ++i) doubt_kept_together(motion_, i, bounces_[i], check_);
   }
 
  private:
@@ -167,6 +109,7 @@ void add_hidden_impacts(const ComputedMotion& motion, Simulation& check) {
   HiddenImpacts hidden(motion, check);
   for (std::size_t i = 0; i < sections.size(); ++i)
     hidden.look(sections[i], i + 1 < sections.size() ? sections[i + 1].t : motion.simulation.t);
+  hidden.doubt_kept();
 }
 
 std::vector<EventDoubt> impacts_hidden_at_end(const ComputedMotion& motion) {

@@ -222,7 +222,7 @@ void Measurement::state(const std::vector<Simulation>& others) {
   result_.events_in_doubt.add(events_hidden_by_rounding(motion()));
   result_.events_in_doubt.add(
       events_that_may_happen(motion(), comparison.near_events, comparison.event_errors));
-  OtherWays ways = other_ways(motion(), others, comparison.approaches, left());
+  OtherWays ways = other_ways(motion(), others, comparison, left());
   if (!ways.where.empty()) comparison = with_other_ways(comparison, others, std::move(ways));
   result_.max_abs_error = std::move(comparison.max_abs_error);
   result_.events_in_doubt.add(events_lost_in_errors(motion(), result_.max_abs_error));

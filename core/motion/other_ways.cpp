@@ -160,10 +160,14 @@ std::optional<Start> start_of(const Fork& fork, const ApproachRecord& approach,
   return Start{t, struck(motion, approach.name, t, fork.at_place()), true};
 }
 
-/// The condition that ends the motion, in the same instant: near the end of its domain it may have any value.
-bool is_where_it_ends(const ComputedMotion& motion, const ApproachRecord& approach) {
+/// The condition that ends the motion, as near to its end as is known: near the end of its domain it may have
+/// any value.
+bool is_where_it_ends(const ComputedMotion& motion, const ApproachRecord& approach,
+                      const std::optional<EventError>& stop_error) {
   const std::optional<Stop>& stop = motion.simulation.stop;
-  if (!stop || std::abs(approach.place.t - stop->t) > one_instant * time_round_off(stop->t)) return false;
+  if (!stop) return false;
+  const double near = std::max(one_instant * time_round_off(stop->t), stop_error ? stop_error->time : 0);
+  if (std::abs(approach.place.t - stop->t) > near) return false;
   return std::ranges::any_of(motion.dynamics.model().scene.valid_while,
                              [&](const ValidityCondition& condition) {
                                return condition.name == approach.name && condition.reason == stop->reason;
@@ -220,15 +224,15 @@ std::string several_kinks_at_once(double t) {
 }
 
 OtherWays other_ways(const ComputedMotion& motion, std::span<const Simulation> others,
-                     std::span<const ApproachAsTold> approaches, std::uint64_t evaluations_left) {
+                     const RowComparison& comparison, std::uint64_t evaluations_left) {
   OtherWays result;
   add_other_order(motion, others, evaluations_left, result);
   const Simulation& was_there = computation_that_tells(motion, others);
   const auto lose = [&](double t) { result.lost_from = std::min(result.lost_from, t); };
-  for (const ApproachAsTold& approach : approaches) {
+  for (const ApproachAsTold& approach : comparison.approaches) {
     const Approach& place = approach.approach.place;
     const double t = place.others ? place.others->from : place.instant();
-    if (t > result.lost_from || is_where_it_ends(motion, approach.approach)) continue;
+    if (t > result.lost_from || is_where_it_ends(motion, approach.approach, comparison.stop_error)) continue;
     const Fork fork(motion, approach);
     if (!fork.is_open() || (!place.others && fork.is_negligible())) continue;
     if (result.where.empty()) {

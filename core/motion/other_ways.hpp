@@ -32,10 +32,9 @@ struct OtherWays {
   std::uint64_t evaluations{};
 };
 
-/// `others` have been compared with the motion; `evaluations_left`: for all together.
+/// `comparison`: of the motion with `others`; `evaluations_left`: for all together.
 [[nodiscard]] OtherWays other_ways(const ComputedMotion& motion, std::span<const Simulation> others,
-                                   std::span<const ApproachAsTold> approaches,
-                                   std::uint64_t evaluations_left);
+                                   const RowComparison& comparison, std::uint64_t evaluations_left);
 
 /// The beginning of a sentence on impacts at that time.
 [[nodiscard]] std::string several_at_once(double t);

@@ -53,6 +53,41 @@ class BodiesThatStayTogether(Service):
                 self.assertLessEqual(abs(answer["trajectory"][name][-1] - together), error, (m, name))
                 self.assertLess(error, 1e-12)
 
+    def test_forces_that_press_by_less_than_can_be_told_are_in_the_errors(self):
+        """Pressed, they stay together: each is elsewhere than alone."""
+        for m, n, gap, v, u, at_x, at_y in (("1.1", "1.9", "0.3", "1.8", "-0.5", "4.07", "7.029999999999981"),
+                                            ("1", "2", "0.2", "1.5", "0", "3", "5.99999999999998"),
+                                            ("0.8", "0.7", "0.5", "2", "0.4", "0.000000000000004", "0")):
+            scene = {"name": "carts", "units": "none", "lagrangian": f"{m}*x_dot^2/2 + {n}*y_dot^2/2",
+                     "coordinates": [{"name": "x", "initial": "0", "initial_rate": v}, {"name": "y", "initial": gap, "initial_rate": u}],
+                     "forces": [{"name": "on_x", "along": "x", "value": at_x}, {"name": "on_y", "along": "y", "value": at_y}],
+                     "events": [{"name": "w", "expression": "y - x", "direction": "falling"}],
+                     "impacts": [{"event": "w", "restitution": "0"}]}
+            answer = self.ask("simulate", {"system": scene, "t_end": 2, "samples": 3})
+            m, n, gap, v, u, at_x, at_y = map(mpf, (m, n, gap, v, u, at_x, at_y))
+            closer, faster = (at_x/m - at_y/n)/2, v - u
+            met = 2*gap/(faster + mp.sqrt(faster**2 + 4*closer*gap))
+            place = v*met + at_x/m*met**2/2
+            speed = (m*(v + at_x/m*met) + n*(u + at_y/n*met))/(m + n)
+            later, together = 2 - met, (at_x + at_y)/(m + n)
+            for name, value in (("x", place + speed*later + together*later**2/2), ("x_dot", speed + together*later)):
+                for column in (name, name.replace("x", "y")):
+                    error = answer["accuracy"]["max_abs_error"][column]
+                    self.assertLessEqual(abs(answer["trajectory"][column][-1] - value), error, (at_y, column))
+                    self.assertLess(error, 1e-13)
+
+    def test_forces_that_part_them_by_less_than_can_be_told_press_nothing(self):
+        for m, n, gap, v, u, square in (("2.2", "2.5", "0.5", "3", "-0.1", "2.3"), ("1.6", "0.7", "0.7", "2.8", "0", "2.3"),
+                                        ("1", "2.7", "0.4", "1.9", "0.4", "2.3"), ("0.9", "1.3", "0.6", "2.4", "-0.5", "2.3")):
+            scene = {"name": "carts", "units": "none",
+                     "lagrangian": f"{m}*x_dot^2/2 + {n}*y_dot^2/2 - {square}*({m}*x^2/2 + {n}*y^2/2)",
+                     "coordinates": [{"name": "x", "initial": "0", "initial_rate": v}, {"name": "y", "initial": gap, "initial_rate": u}],
+                     "forces": [{"name": "on_y", "along": "y", "value": f"{n}*1e-15"}],
+                     "events": [{"name": "w", "expression": "y - x", "direction": "falling"}],
+                     "impacts": [{"event": "w", "restitution": "0"}]}
+            for t_end in (2, 4, 10):
+                self.assertEqual(self.ask("simulate", {"system": scene, "t_end": t_end, "samples": 3})["status"], "complete", (m, t_end))
+
     def test_bodies_that_are_pressed_only_after_the_impact_do_not_run_through_each_other(self):
         """A bullet and a block that its spring holds at rest: nothing presses at the instant itself."""
         for potential, is_pressed in (("5*(b - 1)^2", True), ("2*(b - 1)^4", True), ("3*(b - 1)^3", True), ("0*b", False),

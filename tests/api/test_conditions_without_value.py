@@ -4,9 +4,12 @@ import pathlib
 import sys
 import unittest
 
+from mpmath import mp, mpf
+
 sys.path.append(str(pathlib.Path(__file__).resolve().parents[1] / "support"))
 from service import Service  # noqa: E402
 
+mp.dps = 30
 # Of x = t, and where it ends.
 CONDITIONS = [("sqrt(1 - x)", 1), ("sqrt(1 - x) - 0.001", 0.999999), ("(1 - x)^0.5 + 1", 1), ("sqrt(1 - x) - 1e-10", 1),
               ("log(1 - x) + 30", 1 - 9.357622968840175e-14), ("log(1 - x) + 1", 0.6321205588285577),
@@ -29,6 +32,20 @@ class ConditionsWithoutValue(Service):
                 self.assertEqual(answer["stop"]["reason"], "over")
                 self.assertLessEqual(abs(answer["stop"]["t"] - end), answer["stop"]["error"])
                 self.assertLess(answer["stop"]["error"], 3e-14)
+
+    def test_they_end_it_at_the_top_of_an_oscillation_that_passes_their_end_by_little(self):
+        for form in ("acos({0})+1", "2 - asin({0})", "sqrt(1 - ({0})) + 1", "acos(({0})^2)+1", "1/(acos({0}) + 0.1) + acos({0}/2)"):
+            for beyond in ("0.00003", "0.0000001", "0.00000006", "0.00000001", "0.000000002"):
+                u = f"x + 0.1 + {beyond}"
+                scene = {"name": "oscillator", "units": "none", "lagrangian": "x_dot^2/2 - x^2/2",
+                         "coordinates": [{"name": "x", "initial": "0.54", "initial_rate": "0.72"}],
+                         "valid_while": [{"name": "v", "expression": form.format(u), "reason": "over", "message": "It is over."}]}
+                with self.subTest(form=form, beyond=beyond):
+                    answer = self.ask("simulate", {"system": scene, "t_end": 3, "samples": 4})
+                    end = mp.atan2(mpf("0.72"), mpf("0.54")) - mp.acos((mpf("0.9") - mpf(beyond)) / mpf("0.9"))
+                    self.assertEqual(answer["stop"]["reason"], "over")
+                    self.assertLessEqual(abs(answer["stop"]["t"] - end), answer["stop"]["error"])
+                    self.assertLess(answer["stop"]["error"], 1e-7)
 
     def test_a_root_that_only_touches_its_end_breaks_nothing(self):
         for expression in ("sqrt(1 - cos(x - 1)) + 0.1", "sqrt(1 - sin(x)) + 0.5", "sqrt(x^2 - x + 0.25) + 1"):
