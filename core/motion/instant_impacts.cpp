@@ -11,7 +11,7 @@
 namespace qdot {
 namespace {
 
-constexpr std::size_t most_in_an_instant = 1000;
+constexpr std::size_t most_in_an_instant = 2000, most_in_order = 200;
 constexpr std::size_t most_in_all_orders = 4;
 constexpr double rounding_of_order = 1e-12;  ///< of the largest number
 /// Of a state's numbers: their own rounding, and that of the steps that led to them.
@@ -101,10 +101,8 @@ InstantImpacts::Passed InstantImpacts::in_order(const Instant& now, std::span<co
   }
   if (met.size() > 1) passed.within = resolution_;
   for (;;) {
-    std::size_t next = 0;
     std::optional<double> later;
-    const auto is_last = [&] { return !passed.all.empty() && passed.all.back().impact == next; };
-    while (next < rules_.size() && (is_last() || !(later = follows(next, now, passed.after)))) ++next;
+    const std::size_t next = next_after(passed, now, later);
     if (next == rules_.size()) {
       doubt_rates_left(now.t, passed);
       return passed;
@@ -115,6 +113,20 @@ InstantImpacts::Passed InstantImpacts::in_order(const Instant& now, std::span<co
   }
   passed.is_over = false;
   return passed;
+}
+
+/// The first in order that follows, and when; the number of all where none does. Bodies that stick take turns
+/// once there are many: each two of them would come together before the next one has a turn.
+std::size_t InstantImpacts::next_after(const Passed& passed, const Instant& now,
+                                       std::optional<double>& later) const {
+  const std::size_t count = rules_.size(), last = passed.all.empty() ? count : passed.all.back().impact;
+  const auto sticks = [&](const Happened& happened) { return rules_[happened.impact].restitution == 0.0; };
+  const bool take_turns = passed.all.size() >= most_in_order && std::ranges::all_of(passed.all, sticks);
+  for (std::size_t i = 0; i < count; ++i) {
+    const std::size_t k = ((take_turns ? last + 1 : 0) + i) % count;
+    if (k != last && (later = follows(k, now, passed.after))) return k;
+  }
+  return count;
 }
 
 /// Impacts that start each other again and again take rates away until rounding hides them.

@@ -3,8 +3,9 @@
 //
 // One may start the next: of three balls in a row the second, hit by the first, hits the third. So after
 // each, an impact with restitution follows in the same instant where its distance is zero up to rounding
-// and falls; the first such in order, until none falls any more. What comes out may depend on the order, as
-// it does in nature on what gives way first (Newton's cradle). Where several events happen in one instant the
+// and falls; the first such in order, until none falls any more. Bodies that stick, where there are many such
+// impacts, take turns. What comes out may depend on the order, as it does in nature on what gives way first
+// (Newton's cradle). Where several events happen in one instant the
 // true motion may have any order, and the answer says whether that matters. Source: D. E. Stewart, Rigid-body
 // dynamics with friction and impact, SIAM Review 42 (2000): several contacts.
 
@@ -78,6 +79,8 @@ class InstantImpacts {
     const EventSides& sides;
   };
   [[nodiscard]] Passed in_order(const Instant& now, std::span<const std::size_t> met) const;
+  [[nodiscard]] std::size_t next_after(const Passed& passed, const Instant& now,
+                                       std::optional<double>& later) const;
   void doubt_rates_left(double t, Passed& passed) const;
   [[nodiscard]] bool still_comes(const Instant& now, std::size_t impact, const std::vector<double>& y) const;
   void compare_orders(const Instant& now, std::vector<std::size_t> met, Passed& passed) const;

@@ -53,6 +53,25 @@ class BodiesThatStayTogether(Service):
                 self.assertLessEqual(abs(answer["trajectory"][name][-1] - together), error, (m, name))
                 self.assertLess(error, 1e-12)
 
+    def test_four_that_stick_go_on_with_what_they_brought(self):
+        """Each two of them would come together before the next one has a turn."""
+        for masses, rates in (((2, 1.5, 1, 1.5), (3, 0, 0, -0.6)), ((0.3, 3, 0.5, 3), (3, 0.2, 0, -0.6)),
+                              ((1.5, 1, 1, 1.5), (2.5, 0, -0.2, -0.9)), ((2, 0.3, 2, 0.5), (2, 0, 0, -0.9))):
+            names = "abde"
+            scene = {"name": "carts", "units": "none", "lagrangian": " + ".join(f"{m}*{n}_dot^2/2" for m, n in zip(masses, names)),
+                     "coordinates": [{"name": n, "initial": place, "initial_rate": str(rate)}
+                                     for n, place, rate in zip(names, ("0", "0.5", "0.9", "1.2"), rates)],
+                     "events": [{"name": n, "expression": f"{n} - {m}", "direction": "falling"} for m, n in zip(names, names[1:])],
+                     "impacts": [{"event": n, "restitution": "0"} for n in names[1:]]}
+            answer = self.ask("simulate", {"system": scene, "t_end": 3, "samples": 4})
+            self.assertEqual(answer["status"], "complete", masses)
+            exact = [mpf(str(number)) for number in (*masses, *rates)]
+            together = sum(m*v for m, v in zip(exact, exact[4:])) / sum(exact[:4])
+            for name in names:
+                error = answer["accuracy"]["max_abs_error"][f"{name}_dot"]
+                self.assertLessEqual(abs(answer["trajectory"][f"{name}_dot"][-1] - together), error, (masses, name))
+                self.assertLess(error, 1e-9)
+
     def test_forces_that_press_by_less_than_can_be_told_are_in_the_errors(self):
         """Pressed, they stay together: each is elsewhere than alone."""
         for m, n, gap, v, u, at_x, at_y in (("1.1", "1.9", "0.3", "1.8", "-0.5", "4.07", "7.029999999999981"),
