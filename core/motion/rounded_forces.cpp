@@ -5,7 +5,6 @@
 #include <span>
 
 #include "core/motion/extended_pieces.hpp"
-#include "core/motion/motion_comparison.hpp"
 #include "core/motion/typed_start.hpp"
 
 namespace qdot {
@@ -39,16 +38,14 @@ std::vector<double> damping(const ComputedMotion& motion) {
 
 /// What all steps of a motion make of each column, if each rounds it the same way. Steps of another method
 /// have nothing in common with those of a check.
-std::vector<double> rounding_of_steps(const ComputedMotion& motion) {
+std::vector<double> rounding_of_steps(const ComputedMotion& motion, std::vector<double> rounding) {
   if (motion.simulation.method != Method::bdf) return std::vector<double>(motion.width());
-  std::vector<double> rounding = largest_of_kind(motion);
   for (double& x : rounding) x *= of_a_step * static_cast<double>(motion.simulation.steps);
   return rounding;
 }
 
 /// L_q / L_v of each coordinate: for so long it moves one way.
-std::vector<double> own_times(const ComputedMotion& motion) {
-  const std::vector<double> largest = largest_magnitudes(motion, Rows::all);
+std::vector<double> own_times(std::span<const double> largest) {
   std::vector<double> times(largest.size() / 2, infinity);
   for (std::size_t i = 0; i < times.size(); ++i) {
     const double speed = largest[times.size() + i];
@@ -95,11 +92,12 @@ std::vector<double> rounding_at_rest(const ComputedMotion& motion) {
   return left;
 }
 
-void add_rounding_in_common(const ComputedMotion& motion, Simulation& check) {
+void add_rounding_in_common(const ComputedMotion& motion, const Sizes& sizes, Simulation& check) {
   if (check.method != Method::bdf || check.rows == 0) return;
   const std::size_t width = motion.width(), n = width / 2;
   const std::vector<double> off = rounding_of_forces(motion), c = damping(motion),
-                            of_steps = rounding_of_steps(motion), tau = own_times(motion);
+                            of_steps = rounding_of_steps(motion, sizes.of_kind),
+                            tau = own_times(sizes.of_columns);
   const double duration = motion.simulation.t - motion.request.t_start;
   check.unseen.resize(check.rows * width);
   for (std::size_t row = 0; row < check.rows; ++row) {

@@ -29,7 +29,12 @@ namespace qdot {
 /// velocities d T, of coordinates d T^2, some times over, with the largest d of their kind.
 [[nodiscard]] std::vector<double> rounding_at_rest(const ComputedMotion& motion);
 
+/// The largest magnitude of each column, and of all columns of its kind.
+struct Sizes {
+  std::vector<double> of_columns, of_kind;
+};
+
 /// Adds both to what a check by bdf has not seen. Not where there are kinks.
-void add_rounding_in_common(const ComputedMotion& motion, Simulation& check);
+void add_rounding_in_common(const ComputedMotion& motion, const Sizes& sizes, Simulation& check);
 
 }  // namespace qdot
