@@ -6,6 +6,11 @@
 // which the previous section ended, or the other one if that section ended because this function crossed
 // zero. So an event just behind a wall is not met when the wall turns the motion back, and an event just
 // behind a kick is met next.
+//
+// The side of a function that an impact has moved is the one on which the state behind it lies: the motion
+// has no states between the two. So it meets no event there, be it the speed of a ball that bounces or the
+// angle of a walker that changes its legs, which would stand upright once more. A condition has to hold in
+// every state, and is met.
 
 #include <optional>
 #include <span>

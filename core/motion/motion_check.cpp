@@ -25,6 +25,8 @@ namespace {
 constexpr double tightest_check = 1e-17;
 constexpr double rung = 1e-2;  ///< a check's tolerance over that of the run it checks
 constexpr double check_of_others = 1e-3;
+constexpr double tightest_stiff_check = 1e-14;
+constexpr double rung_of_same = 10;  ///< of which one is the tighter, where both are by one method
 constexpr unsigned order_of_checks = 22;
 constexpr unsigned order_of_loose_checks = 20;  ///< of runs that have order 16
 constexpr double drift_of_rounding = 1e-14;     ///< relative
@@ -86,8 +88,13 @@ Reals farthest(Reals numbers) {
   return numbers;
 }
 
+/// By one method and with about one tolerance errors of truncation would be alike. Where a check cannot be
+/// tighter it is looser: then the difference is no less than the motion's own.
 Tolerances tolerances_of_check(const ComputedMotion& motion) {
-  const double least = motion.is_stiff ? 1e-14 : tightest_check;
+  const double least = motion.is_stiff ? tightest_stiff_check : tightest_check;
+  const bool is_same = motion.is_stiff && motion.simulation.method == Method::bdf;
+  if (is_same && motion.tolerances.rtol < rung_of_same * least)
+    return {rung_of_same * motion.tolerances.rtol, rung_of_same * motion.tolerances.atol};
   const MethodRecord& first = record_of(motion.simulation.method);
   // What a fixed step comes to is not known before: its check is as tight as can be.
   const double factor = first.has_fixed_step() ? 0 : first.expands() ? rung : check_of_others;

@@ -1,9 +1,10 @@
 #pragma once
 // The second road to a motion, which tells the error of the first.
 //
-// Where the first is Taylor's method the second has another order, elsewhere another method; it is a hundred
-// times tighter, and goes from parameters and initial values moved in their last bits, so that a difference
-// is not small by chance. Near round-off double-doubles tell more (extended_motion.hpp).
+// Where the first is Taylor's method the second has another order, elsewhere another method, but where
+// damping rules; it is a hundred times tighter, or ten times looser where it would be by the same method and
+// cannot be tighter; and it goes from parameters and initial values moved in their last bits, so that a
+// difference is not small by chance. Near round-off double-doubles tell more (extended_motion.hpp).
 
 #include <cstdint>
 #include <optional>

@@ -11,6 +11,7 @@ namespace qdot {
 namespace {
 
 constexpr double of_sides = 0.1;  ///< of a force: on a kink doubles and more digits may take another side
+constexpr double of_a_step = 0x1p-53;  ///< half a last place: a step's sum is rounded to nearest
 constexpr std::size_t rows_tried = 8;  ///< each costs an evaluation in double-doubles
 
 /// Calls take(t, y) for some rows.
@@ -33,6 +34,24 @@ std::vector<double> damping(const ComputedMotion& motion) {
       least[i] = std::min(least[i], is_known ? std::max(0.0, -jacobian[(n + i) * width + n + i]) : 0);
   });
   return least;
+}
+
+/// What all steps of a motion make of each column, if each rounds it the same way. Steps of another method
+/// have nothing in common with those of a check.
+std::vector<double> rounding_of_steps(const ComputedMotion& motion, std::vector<double> rounding) {
+  if (motion.simulation.method != Method::bdf) return std::vector<double>(motion.width());
+  for (double& x : rounding) x *= of_a_step * static_cast<double>(motion.simulation.steps);
+  return rounding;
+}
+
+/// L_q / L_v of each coordinate: for so long it moves one way.
+std::vector<double> own_times(std::span<const double> largest) {
+  std::vector<double> times(largest.size() / 2, infinity);
+  for (std::size_t i = 0; i < times.size(); ++i) {
+    const double speed = largest[times.size() + i];
+    if (speed > 0) times[i] = largest[i] / speed;
+  }
+  return times;
 }
 
 }  // namespace
@@ -73,17 +92,23 @@ std::vector<double> rounding_at_rest(const ComputedMotion& motion) {
   return left;
 }
 
-void add_rounding_of_forces(const ComputedMotion& motion, Simulation& check) {
+void add_rounding_in_common(const ComputedMotion& motion, const Sizes& sizes, Simulation& check) {
   if (check.method != Method::bdf || check.rows == 0) return;
   const std::size_t width = motion.width(), n = width / 2;
-  const std::vector<double> off = rounding_of_forces(motion), c = damping(motion);
+  const std::vector<double> off = rounding_of_forces(motion), c = damping(motion),
+                            of_steps = rounding_of_steps(motion, sizes.of_kind),
+                            tau = own_times(sizes.of_columns);
+  const double duration = motion.simulation.t - motion.request.t_start;
   check.unseen.resize(check.rows * width);
   for (std::size_t row = 0; row < check.rows; ++row) {
     const double t = motion.grid.t[row] - motion.request.t_start;
+    if (t == 0) continue;
+    double* const unseen = check.unseen.data() + row * width;
     for (std::size_t i = 0; i < n; ++i) {
-      const double of_velocity = off[i] * (c[i] * t > 1 ? 1 / c[i] : t);
-      check.unseen[row * width + n + i] += of_velocity;
-      check.unseen[row * width + i] += of_velocity * t;
+      const double lasts = c[i] * t > 1 ? 1 / c[i] : t;
+      const double of_force = off[i] * lasts, of_velocity = of_steps[n + i] * (lasts / duration);
+      unseen[n + i] += of_force + of_velocity;
+      unseen[i] += of_force * t + of_velocity * std::min(t, tau[i]) + of_steps[i];
     }
   }
 }

@@ -1,11 +1,20 @@
 #pragma once
-// What rounding makes of the forces of a motion, as some rows show by double-doubles. Checks by Taylor's
-// method bound it over each step (core/compile/taylor/rounding.hpp); one by bdf has it in common with the
-// motion. There damping rules, and a force that is off by d takes a velocity d/c away,
+// What rounding makes of the forces and of the steps of a motion. Checks by Taylor's method bound it over
+// each step (core/compile/taylor/rounding.hpp, core/integrate/own_errors.hpp); one by bdf has it in common
+// with the motion. There damping rules, and a force that is off by d, as some rows show by double-doubles,
+// takes a velocity d/c away,
 //
-//   e_v = d min(t, 1/c),   e_q = e_v t,   c = -da/dv,
+//   e_v = d min(t, 1/c),   e_q = e_v t,   c = -da/dv.
 //
-// which is an estimate: of each coordinate by itself.
+// Each of N steps rounds its sums, by half a last place u at most. Where tolerances are near round-off it
+// is rounding that says which steps are tried once more, and so those that are left do not round up as often
+// as down, in the motion and in its check: on the slow way along which damping lets a motion come to rest
+// that adds up. By all of them, in as long as a coordinate goes one way,
+//
+//   e_q = N u |q| + e_v min(t, |q|/|v|),   e_v = N u |v| min(t, 1/c)/T,
+//
+// with the largest q and v of their kind in the motion of length T. Both are estimates: of each coordinate
+// by itself.
 
 #include <vector>
 
@@ -20,7 +29,12 @@ namespace qdot {
 /// velocities d T, of coordinates d T^2, some times over, with the largest d of their kind.
 [[nodiscard]] std::vector<double> rounding_at_rest(const ComputedMotion& motion);
 
-/// Adds it to what a check by bdf has not seen. Not where there are kinks.
-void add_rounding_of_forces(const ComputedMotion& motion, Simulation& check);
+/// The largest magnitude of each column, and of all columns of its kind.
+struct Sizes {
+  std::vector<double> of_columns, of_kind;
+};
+
+/// Adds both to what a check by bdf has not seen. Not where there are kinks.
+void add_rounding_in_common(const ComputedMotion& motion, const Sizes& sizes, Simulation& check);
 
 }  // namespace qdot

@@ -151,5 +151,29 @@ TEST(Impacts, LeaveTheRoundingOfTheirInstantsInDoubt) {
   }
 }
 
+/// From y = h at rest it hits with sqrt(2 g h); what is left of that lies above 1 m/s, and falls through it.
+TEST(Impacts, PassNoEventBetweenTheStatesBeforeAndAfter) {
+  constexpr double e = 0.9, height = 1;
+  Scene scene = ball_on_slope(0, e);
+  scene.parameters.push_back({"w", "m/s", "1", {}, "", ""});
+  scene.events.push_back({"slow", "y_dot - w", Crossing::either, {}, {}});
+  scene.events.push_back({"rises", "y_dot", Crossing::rising, {}, {}});
+  const auto model = build_model(scene);
+  SimulationRequest request = test::request_for(*model, {{"y", height}, {"y_dot", 0}}, {0, 1.5});
+  request.method = Method::taylor;
+  request.events = {"slow", "rises"};
+  const Dynamics dynamics(std::make_shared<const Model>(*model));
+  const MeasuredSimulation m = simulate_with_error(dynamics, request, {});
+  const double speed = std::sqrt(2 * earth_gravity * height), first = speed / earth_gravity;
+  const std::vector<EventRecord>& events = m.simulation.events;
+  ASSERT_EQ(events.size(), 3U);
+  EXPECT_EQ(events[0].name, "hit");
+  EXPECT_EQ(events[1].name, "slow");
+  EXPECT_NEAR(events[1].t, first + (e * speed - 1) / earth_gravity, 1e-9);
+  EXPECT_EQ(events[2].name, "hit");
+  for (const auto& error : m.event_errors) EXPECT_TRUE(error.has_value());
+  EXPECT_EQ(m.reason, "");
+}
+
 }  // namespace
 }  // namespace qdot
