@@ -10,6 +10,7 @@
 #include "core/steady/critical_growth.hpp"
 #include "core/steady/critical_problem.hpp"
 #include "core/steady/critical_sentences.hpp"
+#include "core/steady/loose_ends.hpp"
 #include "core/steady/missed_changes.hpp"
 #include "core/steady/missed_growth.hpp"
 #include "core/steady/region_ends.hpp"
@@ -48,17 +49,17 @@ class CriticalSearch {
       return std::move(result_);
     }
     const auto depends = [](const CriticalChart& c) { return c.systems->depends || may_grow(c); };
-    if (std::ranges::none_of(all_.charts(), depends)) {
+    if (std::ranges::none_of(all_.charts(), depends))
       result_.reason = "No force at rest depends on " + name + ", so the equilibria stay as they are.";
-    } else {
+    else
       search();
-    }
     trace();
     if (!result_.complete && !gave_up_) add_missed();
     known_elsewhere_.insert(known_elsewhere_.end(), result_.degenerate.begin(), result_.degenerate.end());
-    if (result_.complete && changes_between(result_.branches, result_.critical, known_elsewhere_)) {
+    if (result_.complete && changes_between(result_.branches, result_.critical, known_elsewhere_))
       incomplete(std::ranges::any_of(all_.charts(), may_grow) ? growth_not_found : curves_not_told_apart);
-    }
+    if (one_coordinate() && has_loose_ends(result_.branches, result_.critical, known_elsewhere_))
+      incomplete(curves_not_told_apart);
     return std::move(result_);
   }
 
@@ -178,8 +179,7 @@ class CriticalSearch {
     const std::string& parameter = dynamics_.model().scene.parameters[index_].name;
     for (const EndCrossing& crossing : end_crossings(dynamics_.model(), problem_, *systems_, {from_, to_})) {
       const auto is_there = [&](double p) { return crossing.p.is_finite() && crossing.p.contains(p); };
-      if (std::ranges::any_of(result_.degenerate, is_there)) continue;
-      if (has_no_values_at(crossing)) continue;
+      if (std::ranges::any_of(result_.degenerate, is_there) || has_no_values_at(crossing)) continue;
       const std::string& x = dynamics_.model().scene.coordinates[kept()[unknowns()[crossing.unknown]]].name;
       const std::string told = sentence(crossing, x, parameter, {from_, to_});
       if (!crossing.p.is_finite()) {
@@ -205,7 +205,7 @@ class CriticalSearch {
     left_for_columns_ = work_left() - work_left() / 8;
     const auto between = [&](double p) { return closer_look(p); };
     result_.branches = branches([&](double& p) { return column(p); }, between, from_, to_,
-                                {result_.critical, turns(), poles_, one_coordinate()});
+                                {result_.critical, turns(), poles_, one_coordinate(), result_.crossings});
   }
 
   [[nodiscard]] std::optional<OneCoordinate> one_coordinate() const {

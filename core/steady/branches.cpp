@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "core/numerics/function.hpp"
+#include "core/steady/curves_at_ends.hpp"
 #include "core/steady/ordered_continuation.hpp"
 
 namespace qdot {
@@ -44,7 +45,8 @@ class Tracer {
         critical_(known.critical),
         turns_(known.turns),
         poles_(known.poles),
-        one_(known.one) {}
+        one_(known.one),
+        crossings_(known.crossings) {}
 
   std::vector<EquilibriumBranch> run(double from, double to) {
     const std::vector<double> ends = ends_between(from, to);
@@ -149,12 +151,23 @@ class Tracer {
   [[nodiscard]] Continuation nearest(std::span<const SampledState> points, double p) const {
     Continuation result;
     std::vector<bool> used(points.size()), goes_on(open_.size());
+    const CurvesAtEnds at_ends = at_ends_until(points, p);
+    for (const std::size_t open : at_ends.gone) goes_on[open] = true;
+    for (const std::size_t point : at_ends.come) used[point] = true;
     for (const Candidate& c : candidates(points, p)) {
       if (used[c.point] || goes_on[c.open]) continue;
       used[c.point] = goes_on[c.open] = true;
       result.pairs.emplace_back(c.open, c.point);
     }
     return result;
+  }
+
+  [[nodiscard]] CurvesAtEnds at_ends_until(std::span<const SampledState> points, double p) const {
+    if (!one_ || turns_[one_->index]) return {};
+    std::vector<double> before, after;
+    for (const std::size_t open : open_) before.push_back(result_[open].x.back()[one_->index]);
+    for (const SampledState& point : points) after.push_back(point.x[one_->index]);
+    return curves_at_ends(crossings_, last_, p, before, after);
   }
 
   /// Whether a curve changes its stability that would keep it if it changed places with another, or went on
@@ -322,6 +335,7 @@ class Tracer {
   const std::vector<bool>& turns_;
   std::span<const CurvePole> poles_;
   const std::optional<OneCoordinate>& one_;
+  std::span<const EndCrossing> crossings_;
   double least_step_{};
   int added_{};  ///< columns, for a closer look
   std::vector<EquilibriumBranch> result_;

@@ -8,6 +8,7 @@
 
 #include "core/steady/critical_value.hpp"
 #include "core/steady/equilibria.hpp"
+#include "core/steady/region_ends.hpp"
 
 namespace qdot {
 
@@ -43,6 +44,7 @@ struct KnownOfCurves {
   std::vector<bool> turns;  ///< which of the scene's coordinates are angles modulo a turn
   std::span<const CurvePole> poles;
   std::optional<OneCoordinate> one;
+  std::span<const EndCrossing> crossings;  ///< of its region's ends
 };
 
 /// Between two neighbours of from, the critical values and to, no equilibrium appears or vanishes: a curve

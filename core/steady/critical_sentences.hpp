@@ -30,6 +30,6 @@ inline constexpr const char* growth_not_found =
     "to grow, and the value at which they do was not found. The branches show between which it is.";
 inline constexpr const char* curves_not_told_apart =
     "Curves of equilibria come so near to each other that rounding hides which goes on as which: a branch that "
-    "changes its stability where no critical value is goes over from one of them to another there.";
+    "changes its stability, begins or ends where no critical value is goes over from one of them to another there.";
 
 }  // namespace qdot

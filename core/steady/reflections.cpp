@@ -73,6 +73,12 @@ std::vector<Expression> candidates(const Expression& numerator, std::span<const 
   return found;
 }
 
+/// On a whole axis, as (x - p)^3 does: nothing happens there at any p.
+bool rests_without_stiffness(const Expression& numerator, const Expression& x, const Expression& axis) {
+  const Replacement on_axis{x, axis};
+  return simplify(with_special_angles(substitute(differentiate(numerator, x), {&on_axis, 1}))).is_zero();
+}
+
 }  // namespace
 
 std::vector<Expression> centres_of_reflection(const Expression& numerator,
@@ -84,6 +90,7 @@ std::vector<Expression> centres_of_reflection(const Expression& numerator,
     const std::vector<Replacement> before{{x, centre - x}}, beyond{{x, centre + x}};
     const Expression sum = substitute(numerator, before) + substitute(numerator, beyond);
     const bool odd = simplify(with_special_angles(sum)).is_zero();
+    if (depends_on(centre, variables) && rests_without_stiffness(numerator, x, centre)) continue;
     if (odd && std::ranges::find(centres, centre) == centres.end()) centres.push_back(centre);
   }
   return centres;

@@ -50,6 +50,16 @@ Isolation zeros_at_end(const SteadyProblem& problem, const BifurcationSystems& s
   return isolate_zeros(system, others, {}, most_boxes_of_end);
 }
 
+/// N(x, p) = 0 goes on inwards to where N_x dx + N_p dp = 0.
+int side_of(const SteadyProblem& problem, const BifurcationSystems& systems, double end, const Interval& p) {
+  const Box there{Interval(end), p};
+  Box slopes(2);
+  TapeEvaluator<Interval>(finite_form(problem, systems, there).slopes, problem.constants)(there, slopes);
+  if (slopes[0].contains(0.0) || slopes[1].contains(0.0)) return 0;
+  const bool is_alike = (slopes[0].lower > 0) == (slopes[1].lower > 0);
+  return is_alike == (end > 0) ? 1 : -1;
+}
+
 }  // namespace
 
 std::vector<EndCrossing> end_crossings(const Model& model, const SteadyProblem& problem,
@@ -62,11 +72,13 @@ std::vector<EndCrossing> end_crossings(const Model& model, const SteadyProblem& 
     for (const double end : {region[k].lower, region[k].upper}) {
       const Isolation found = zeros_at_end(problem, systems, region, k, end);
       for (const IsolatedZero& zero : found.zeros) {
-        if (!is_empty(intersection(zero.enclosure.back(), range)))
-          result.push_back({k, end, zero.enclosure.back()});
+        const Interval& p = zero.enclosure.back();
+        if (is_empty(intersection(p, range))) continue;
+        const bool is_one = zero.simple && region.size() == 2;
+        result.push_back({k, end, p, is_one ? side_of(problem, systems, end, p) : 0});
       }
       if (!found.complete || !found.undecided.empty() || !found.poles.empty())
-        result.push_back({k, end, Interval::whole()});
+        result.push_back({k, end, Interval::whole(), 0});
     }
   }
   return result;

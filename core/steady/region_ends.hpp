@@ -16,6 +16,8 @@ struct EndCrossing {
   std::size_t unknown{};  ///< which of the systems' unknowns
   double end{};           ///< e
   Interval p;             ///< not finite where it could not be told
+  /// Of one unknown: 1 where the equilibrium is there for larger p, -1 for smaller; 0 where that is not told.
+  int side{};
 };
 
 [[nodiscard]] std::vector<EndCrossing> end_crossings(const Model& model, const SteadyProblem& problem,

@@ -97,6 +97,31 @@ class ObliqueCrossings(Service):
                           [(-b * b / 4, -1.8 - aside, "saddle_node"), (-b * b / 4, -1.8 + aside, "saddle_node"),
                            (0, -1.8, "pitchfork")])
 
+    def test_a_spring_without_stiffness_on_a_support_that_moves(self):
+        self.assert_found("-(x - r)^3", -2, 2, [])
+        self.assert_found("-sin(x - r)^3", -1, 1, [], "rad")
+
+    def test_a_curve_goes_to_infinity_and_another_comes_from_there(self):
+        """x = c/r beside x^2 = r, beside x = r, and alone: no branch goes over from one of its arms to the other."""
+        crossing = 0.3 ** (2 / 3)
+        for force, expected in (("-(r*x - 0.3)*(x^2 - r)", [(0, 0, "saddle_node"), (crossing, crossing ** 0.5, "transcritical")]),
+                                ("-(r*x - 1)*(x - r)", [(-1, -1, "transcritical"), (1, 1, "transcritical")]),
+                                ("-(r*x - 1)", [])):
+            found = self.assert_found(force, -2.03, 2.11, expected)
+            self.assertIn("infinity", found["reason"])
+            for branch in found["branches"]:
+                far = [x for x in branch["x"] if abs(x) > 3]
+                self.assertEqual(len({x > 0 for x in far}), 1 if far else 0, force)
+                self.assertFalse(far and min(branch["r"]) < 0 < max(branch["r"]), force)
+
+    def test_what_rounding_does_not_tell_apart_is_said(self):
+        system = scene("-(x - r)*(x - (1 + 1e-6)*r - 0.4e-6)")
+        found = self.ask("bifurcations", {"system": system, "parameter": "r", "from": -3.21, "to": 3.17})
+        self.assertEqual([(one["kind"], round(one["value"], 6)) for one in found["critical"]], [("transcritical", -0.4)])
+        if len(found["branches"]) != 2:
+            self.assertFalse(found["complete"])
+            self.assertIn("begins or ends", found["reason"])
+
 
 if __name__ == "__main__":
     unittest.main()
