@@ -192,7 +192,7 @@ class Lifetime(unittest.TestCase):
                 idle.close()
 
     def test_sigterm_lets_a_request_in_flight_finish(self):
-        samples = 30000 if SANITIZED else 100000
+        samples = 10000 if SANITIZED else 100000
         body = json.dumps({"system": "spring_pendulum", "t_end": 100, "samples": samples})
         with RunningQdot("--threads", "1") as server:
             connections = [server.connect() for _ in range(2)]
