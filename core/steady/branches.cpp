@@ -350,6 +350,15 @@ std::vector<EquilibriumBranch> branches(const EquilibriaAt& equilibria_at, const
   return Tracer(equilibria_at, between, known).run(from, to);
 }
 
+bool is_known_between(double low, double high, std::span<const CriticalValue> critical,
+                      std::span<const double> elsewhere) {
+  const auto is_near = [&](const CriticalValue& c) {
+    return c.value + c.error >= low && c.value - c.error <= high;
+  };
+  const auto is_between = [&](double value) { return value >= low && value <= high; };
+  return std::ranges::any_of(critical, is_near) || std::ranges::any_of(elsewhere, is_between);
+}
+
 bool changes_between(std::span<const EquilibriumBranch> branches, std::span<const CriticalValue> critical,
                      std::span<const double> degenerate) {
   const auto changes_after = [&](const EquilibriumBranch& branch, std::size_t i) {
@@ -360,11 +369,7 @@ bool changes_between(std::span<const EquilibriumBranch> branches, std::span<cons
     while (first > 0 && branch.stability[first] == Stability::neutral) --first;
     while (last + 1 < p.size() && branch.stability[last] == Stability::neutral) ++last;
     const double low = p[first > 0 ? first - 1 : 0], high = p[std::min(last + 1, p.size() - 1)];
-    const auto is_near = [&](const CriticalValue& c) {
-      return c.value + c.error >= low && c.value - c.error <= high;
-    };
-    const auto is_between = [&](double value) { return value >= low && value <= high; };
-    return std::ranges::none_of(critical, is_near) && std::ranges::none_of(degenerate, is_between);
+    return !is_known_between(low, high, critical, degenerate);
   };
   return std::ranges::any_of(branches, [&](const EquilibriumBranch& branch) {
     for (std::size_t i = 0; i + 1 < branch.parameter.size(); ++i) {

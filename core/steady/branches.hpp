@@ -55,6 +55,10 @@ struct KnownOfCurves {
                                                       const EquilibriaBetween& between, double from,
                                                       double to, const KnownOfCurves& known);
 
+/// Whether something is known to happen at a value of [low, high]: equilibria meet, or come or go elsewhere.
+[[nodiscard]] bool is_known_between(double low, double high, std::span<const CriticalValue> critical,
+                                    std::span<const double> elsewhere);
+
 /// Whether a branch's stability changes where no critical value is, and none at which a force vanishes
 /// everywhere, as where gyroscopic or damping forces hold what the potential does not.
 [[nodiscard]] bool changes_between(std::span<const EquilibriumBranch> branches,

@@ -6,7 +6,7 @@
 namespace qdot {
 namespace {
 
-/// Takes the outermost away, the first time the first.
+/// Takes away what lies outermost on either side, each time of those that are left.
 class Outermost {
  public:
   explicit Outermost(std::span<const double> x) : order_(x.size()) {

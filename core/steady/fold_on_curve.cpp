@@ -8,6 +8,7 @@
 #include "core/expr/simplify.hpp"
 
 namespace qdot {
+
 bool has_value_everywhere(const Expression& e, std::span<const Expression> variables) {
   const NodeId root = e.id();
   return std::ranges::none_of(reachable(e.graph(), {&root, 1}), [&](NodeId id) {

@@ -11,11 +11,7 @@ bool has_loose_ends(std::span<const EquilibriumBranch> branches, std::span<const
   for (const EquilibriumBranch& branch : branches)
     columns.insert(branch.parameter.begin(), branch.parameter.end());
   const auto is_known = [&](double low, double high) {
-    const auto is_near = [&](const CriticalValue& c) {
-      return c.value + c.error >= low && c.value - c.error <= high;
-    };
-    const auto is_between = [&](double value) { return value >= low && value <= high; };
-    return std::ranges::any_of(critical, is_near) || std::ranges::any_of(elsewhere, is_between);
+    return is_known_between(low, high, critical, elsewhere);
   };
   return std::ranges::any_of(branches, [&](const EquilibriumBranch& branch) {
     const auto first = columns.find(branch.parameter.front()), last = columns.find(branch.parameter.back());
