@@ -55,6 +55,9 @@ Answer Evaluator::refuse(Answer answer, Ending why) {
 }
 
 std::optional<Ending> unusable(std::span<const double> y, double max_magnitude) {
+  bool is_usable = true;
+  for (const double component : y) is_usable = is_usable & (std::abs(component) <= max_magnitude);
+  if (is_usable) return std::nullopt;
   std::optional<Ending> wrong;
   for (const double component : y) {
     if (std::isnan(component)) return Ending::nonfinite;

@@ -87,7 +87,7 @@ class Integration {
     if (found.terminal)
       run_.y = found.events.back().y;
     else
-      run_.y.assign(stepper_->y().begin(), stepper_->y().end());
+      std::ranges::copy(stepper_->y(), run_.y.begin());
     run_.events.insert(run_.events.end(), found.events.begin(), found.events.end());
     if (run_.events.size() > most_occurrences)
       throw Error(ErrorCode::too_large, "the motion meets more events than one answer may hold");

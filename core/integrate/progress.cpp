@@ -42,8 +42,11 @@ ProgressGuard::ProgressGuard(const RunRequest& request)
 std::optional<Ending> ProgressGuard::check(const Stepper& stepper) {
   if (stepper.t() == stepper.t_previous()) return standing_still(stepper);
   still_steps_ = 0;
-  y_when_moving_.assign(stepper.y().begin(), stepper.y().end());
-  largest_ = std::max(largest_, norm(y_when_moving_));
+  const std::span<const double> y = stepper.y();
+  for (std::size_t i = 0; i < y.size(); ++i) {
+    y_when_moving_[i] = y[i];
+    largest_ = std::max(largest_, std::abs(y[i]));
+  }
   if (++window_steps_ == window / 2) largest_at_half_ = largest_;
   return window_steps_ < window ? std::nullopt : end_of_window(stepper.t());
 }

@@ -51,7 +51,9 @@ struct Block<PairOfDoubles> {
   return {twice * x.first, twice * x.last};
 }
 [[gnu::always_inline]] inline double joined(const Block<double>& x) {
-  return (x.all[0] + x.all[2]) + (x.all[1] + x.all[3]);
+  const PairOfDoubles sum =
+      __builtin_shufflevector(x.all, x.all, 0, 1) + __builtin_shufflevector(x.all, x.all, 2, 3);
+  return sum[0] + sum[1];
 }
 [[gnu::always_inline]] inline PairOfDoubles joined(const Block<PairOfDoubles>& x) {
   const Four sum = x.first + x.last;
@@ -123,37 +125,32 @@ template <unsigned K, class Number>
   return K <= 8 ? x / double{K} : x * reciprocal<K>;
 }
 
-/// What of a product with a factor was there before this pass, without the blocks.
+/// What of the products was there before this pass.
 template <unsigned K, class Number>
-[[gnu::always_inline]] inline Number old_of(const BasicProduct<Number>& p) {
-  return p.factor * rest_of<K>(p.x, p.y);
+[[gnu::always_inline]] inline Number old_of(const BasicProduct<Number>* p, unsigned products) {
+  Number total = p->factor * inner<K>(p->x, p->y);
+#pragma GCC unroll 2
+  for (unsigned i = 1; i < products; ++i) total += p[i].factor * inner<K>(p[i].x, p[i].y);
+  return total;
 }
 template <unsigned K, class Number>
 [[gnu::always_inline]] inline Number young_of(const BasicProduct<Number>& p) {
   return p.x_0 * p.y[K] + p.x[K] * p.y_0;
 }
 
-/// Products come last because their factors are often what the step before has computed.
+/// The factors of products are often what the step before has computed.
 template <unsigned K, class Number>
 [[gnu::always_inline]] inline void sum(const BasicStep<Number>& step, unsigned terms, unsigned products) {
-  Number total = terms > 0 ? step.terms[0].factor * step.terms[0].x[K] : Number{};
+  if (terms + products == 0) return store<K>(step.out, Number{});
+  const BasicProduct<Number>* p = step.products;
+  Number total = terms > 0 ? step.terms[0].factor * step.terms[0].x[K] : young_of<K>(*p);
 #pragma GCC unroll 3
   for (unsigned i = 1; i < terms; ++i) total += step.terms[i].factor * step.terms[i].x[K];
-  if (products == 0) return store<K>(step.out, total);
-  const BasicProduct<Number>* p = step.products;
-  if constexpr (Inner<K>::rest > 0) {
-    total = terms > 0 ? total + old_of<K>(*p) : old_of<K>(*p);
 #pragma GCC unroll 2
-    for (unsigned i = 1; i < products; ++i) total += old_of<K>(p[i]);
+  for (unsigned i = terms > 0 ? 0 : 1; i < products; ++i) total += young_of<K>(p[i]);
+  if constexpr (K > 1) {
+    if (products > 0) total = old_of<K>(p, products) + total;
   }
-  if constexpr (Inner<K>::blocks > 0) {
-    Block<Number> lanes = p->factor * blocks_of<K>(p->x, p->y);
-#pragma GCC unroll 2
-    for (unsigned i = 1; i < products; ++i) lanes += p[i].factor * blocks_of<K>(p[i].x, p[i].y);
-    total = terms > 0 || Inner<K>::rest > 0 ? total + joined(lanes) : joined(lanes);
-  }
-#pragma GCC unroll 2
-  for (unsigned i = 0; i < products; ++i) total += young_of<K>(p[i]);
   store<K>(step.out, total);
 }
 
@@ -259,10 +256,11 @@ template <unsigned K, class Number>
   const Number* inverse = system.inverse;
 #pragma GCC unroll 3
   for (unsigned i = 0; i < n; ++i) {
-    Number value{};
+    Number value = inverse[0] * b[0];
 #pragma GCC unroll 3
-    for (unsigned j = 0; j < n; ++j) value += *inverse++ * b[j];
+    for (unsigned j = 1; j < n; ++j) value += inverse[j] * b[j];
     store<K>(system.unknowns[i], value);
+    inverse += n;
   }
 }
 
@@ -364,6 +362,8 @@ template <unsigned K, class Number>
       case Kind::solve_3:
         solve<K>(*step->solve, 3);
         break;
+      default:
+        __builtin_unreachable();
     }
   }
 }
