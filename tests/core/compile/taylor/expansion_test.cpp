@@ -62,18 +62,18 @@ TEST(TaylorExpansion, OfThreeUnknownsDoesNotDependOnTheUnitOfMass) {
   Scene scene;
   scene.name = "three_coupled";
   scene.without_units = true;
-  scene.parameters.push_back({"u", "1", "1", {}, "", ""});
+  for (const char* name : {"u", "w"}) scene.parameters.push_back({name, "1", "1", {}, "", ""});
   for (const char* name : {"x", "y", "z"}) scene.coordinates.push_back({name, "1", "0", "0", "", {}, "", ""});
   scene.lagrangian =
       "u*(x_dot^2 + (2 - sin(z))*y_dot^2/2 + z_dot^2 + sin(x)*x_dot*y_dot/2 + cos(y)*y_dot*z_dot/3 - cos(x - "
-      "z)*x_dot*z_dot/4 - x*y*z - z^2)";
+      "z)*x_dot*z_dot/4) - w*(x*y*z + z^2)";
   const Dynamics dynamics(build_model(scene));
   const std::vector<double> y{0.4, -0.3, 0.7, 1.1, -0.6, 0.2};
   std::vector<double> usual(y.size() * (order + 1)), other(usual.size());
-  TaylorExpansion expansion(dynamics.accelerations(), std::vector<double>{1});
+  TaylorExpansion expansion(dynamics.accelerations(), std::vector<double>{1, 1});
   ASSERT_EQ(expansion.expand(0, y, order, usual), Evaluation::ok);
-  for (const double u : {3e-60, 7e-20, 3e20, 7e60}) {
-    TaylorExpansion of_other(dynamics.accelerations(), std::vector<double>{u});
+  for (const double u : {3e-110, 7e-20, 3e20, 7e110}) {
+    TaylorExpansion of_other(dynamics.accelerations(), std::vector<double>{u, u});
     ASSERT_EQ(of_other.expand(0, y, order, other), Evaluation::ok);
     for (std::size_t i = 0; i < usual.size(); ++i)
       EXPECT_NEAR(other[i], usual[i], 1e-10 * std::abs(usual[i]) + 1e-13) << u << ' ' << i;
