@@ -69,13 +69,15 @@ Response json_response(const Json& body, Layout layout) {
   return {.status = 200, .content_type = "application/json", .body = to_text(body, layout)};
 }
 
-std::variant<Submission, Problem> submission_of(const Call& call, const JsonLimits& limits) {
+std::variant<Submission, Problem> submission_of(const Call& call, const JsonLimits& bounds) {
   if (call.request.method != "POST") return submission_of_get(call);
   const auto header = call.request.headers.find("content-type");
   const std::string content_type = header == call.request.headers.end() ? "" : header->second;
   if (body_type(content_type, call.request.body) == BodyType::unsupported)
     return unsupported(content_type, call.request.body);
-  auto submission = submission_of_body(call.request.body, limits);
+  constexpr JsonLimits of_own_machine{.bytes = limits::answers_bytes, .nodes = limits::answers_bytes};
+  const bool is_bounded = call.request.work == Work::bounded;
+  auto submission = submission_of_body(call.request.body, is_bounded ? bounds : of_own_machine);
   if (auto* read = std::get_if<Submission>(&submission)) add_query(call.target.query, *read);
   return submission;
 }

@@ -17,10 +17,11 @@ namespace qdot::api {
 [[nodiscard]] Response json_response(const Json& body, Layout layout);
 
 /// The submission in a call: the query of a GET, or the body of a POST. The query of a POST may only have
-/// `format`, which is about the answer and not about the question. Problems: unsupported-media-type and those
+/// `format`, which is about the answer and not about the question. `bounds` are those of a service: of work
+/// that has none, what fits into memory is read. Problems: unsupported-media-type and those
 /// of read_json.
 [[nodiscard]] std::variant<Submission, Problem> submission_of(const Call& call,
-                                                              const JsonLimits& limits = {});
+                                                              const JsonLimits& bounds = {});
 
 /// Answers a submission that came with a call, or was put together for it.
 using Answering = std::function<Response(const Submission&, Call&)>;

@@ -49,7 +49,7 @@ constexpr auto types = std::to_array<ProblemType>({
      "probably meant. All of them are listed at once."},
     {not_applicable, "not-applicable", 422, "The question does not apply to this system",
      "The request is well formed, but the system has nothing that would answer it; the detail says why."},
-    {limit_exceeded, "limit-exceeded", 422, "The answer would be larger than is allowed",
+    {limit_exceeded, "limit-exceeded", 422, "This is more than is allowed",
      "GET /v1/limits has the limits. Ask in several requests."},
     {integration_failed, "integration-failed", 422, "The motion could not be computed to its end",
      "`reason` is step-limit, nonfinite, singular-mass, tolerance or blow-up; `t_reached` and `last_state` "

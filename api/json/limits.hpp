@@ -10,7 +10,7 @@ namespace qdot::api::limits {
 inline constexpr std::size_t body_bytes = 64 * 1024;
 inline constexpr std::size_t large_body_bytes = 1024 * 1024;  ///< batch, and check with trajectories
 inline constexpr std::size_t json_depth = 16;
-inline constexpr std::size_t json_nodes = 10'000;
+inline constexpr std::size_t json_nodes = 20'000;
 inline constexpr std::size_t answers_bytes = 64 * 1024 * 1024;  ///< a file of answers on the command line
 inline constexpr std::size_t large_json_nodes = 200'000;
 

@@ -65,17 +65,49 @@ bool is_direction(const Path& path) {
   return std::ranges::any_of(path, [](const auto& key) { return key == "shape" || key == "shape_scaled"; });
 }
 
-std::string unit_of(const Json& answer, const Path& path) {
-  const auto [name, indices] = name_and_indices(path);
-  const auto units = answer.find("units");
-  if (units == answer.end() || is_direction(path)) return "1";
-  const Json* unit = step(*units, name);
+/// What `units` say of a name, or of one of the numbers in a list of that name.
+std::optional<std::string> unit_of_name(const Json& units, const std::string& name, const Path& indices) {
+  const Json* unit = step(units, name);
   for (const std::string& index : indices) {
     if (unit != nullptr && unit->is_array()) unit = step(*unit, index);
   }
   const bool is_known =
       unit != nullptr && unit->is_string() && parse_unit(unit->get_ref<const std::string&>());
-  return is_known ? unit->get<std::string>() : "1";
+  return is_known ? std::optional(unit->get<std::string>()) : std::nullopt;
+}
+
+/// An error without a name is that of the first of its neighbours with a unit: of an event's time, of a
+/// mode's frequency, of both parts of an eigenvalue.
+std::optional<std::string> unit_of_neighbours(const Json& units, const Json& object) {
+  for (const char* name : {"t", "omega", "re"}) {
+    if (object.contains(name)) return unit_of_name(units, name, {});
+  }
+  return std::nullopt;
+}
+
+/// What a number deep in an answer shares with others: the unit of its object, of its neighbours, of what it
+/// is the error of, or of the time.
+std::optional<std::string> shared_unit(const Json& units, const Json& object, const std::string& name) {
+  if (const Json* own = step(object, "unit"); own != nullptr && own->is_string())
+    return name == "max_rel_drift" ? "1" : own->get<std::string>();
+  if (name == "error") return unit_of_neighbours(units, object);
+  if (name == "t_reached" || name == "horizon") return unit_of_name(units, "t", {});
+  constexpr std::string_view of_error = "_error";
+  if (!name.ends_with(of_error)) return std::nullopt;
+  return unit_of_name(units, name.substr(0, name.size() - of_error.size()), {});
+}
+
+std::string unit_of(const Json& answer, const Path& path) {
+  const auto [name, indices] = name_and_indices(path);
+  const auto units = answer.find("units");
+  if (units == answer.end() || is_direction(path)) return "1";
+  const Json* object = &answer;
+  for (std::size_t i = 0; i + 1 + indices.size() < path.size(); ++i) object = step(*object, path[i]);
+  const bool is_deep = object != &answer;
+  if (is_deep || !step(*units, name)) {
+    if (const auto shared = shared_unit(*units, *object, name)) return *shared;
+  }
+  return unit_of_name(*units, name, indices).value_or("1");
 }
 
 std::optional<double> number_in(const Json& object, const std::string& key) {

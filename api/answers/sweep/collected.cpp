@@ -69,13 +69,23 @@ std::vector<std::string> parted(const std::string& text) {
   return parts;
 }
 
-/// Why an answer says that a value is null: beside it or above.
-std::string reason_in(const Json& answer, const std::string& name) {
-  const auto reason = answer.find("reason");
-  if (reason == answer.end()) return "It is null there.";
+/// Why an object says that its member is null or missing; empty where it does not.
+std::string reason_in(const Json& object, const std::string& member) {
+  const auto reason = object.find("reason");
+  if (reason == object.end()) return "";
   if (reason->is_string()) return reason->get<std::string>();
-  return reason->is_object() && reason->contains(name) ? (*reason)[name].get<std::string>()
-                                                       : "It is null there.";
+  const bool is_told = reason->is_object() && reason->contains(member) && (*reason)[member].is_string();
+  return is_told ? (*reason)[member].get<std::string>() : "";
+}
+
+/// The nearest reason above a place.
+std::string reason_above(const Json& answer, const std::string& pointer) {
+  for (Json::json_pointer place(pointer); !place.empty(); place.pop_back()) {
+    const Json::json_pointer above = place.parent_pointer();
+    if (!answer.contains(above) || !answer[above].is_object()) continue;
+    if (std::string reason = reason_in(answer[above], place.back()); !reason.empty()) return reason;
+  }
+  return "";
 }
 
 }  // namespace
@@ -121,11 +131,15 @@ std::vector<std::string> members_read(const std::vector<CollectedColumn>& column
 CollectedValue collected(const Json& answer, const CollectedColumn& column) {
   Errors errors;
   const auto found = pointed(answer, column.pointer, Place(Road::body), errors);
-  if (!found) return {.reason = "The answer has nothing at " + in_quotes(column.pointer) + "."};
+  if (!found) {
+    std::string reason = reason_above(answer, column.pointer);
+    if (reason.empty()) reason = "The answer has nothing at " + in_quotes(column.pointer) + ".";
+    return {.reason = std::move(reason)};
+  }
   if (found->is_list || found->values.size() != 1)
     return {.reason = "There is more than one value at " + in_quotes(column.pointer) + "."};
   const PointedValue& value = found->values.front();
-  if (value.value.is_null()) return {.reason = reason_in(answer, value.name)};
+  if (value.value.is_null()) return {.reason = reason_above(answer, column.pointer)};
   return {.value = value.value, .unit = value.unit};
 }
 

@@ -31,7 +31,7 @@ struct CollectedColumn {
 struct CollectedValue {
   Json value{};
   std::string unit{};
-  std::string reason{};  ///< empty: there is a value
+  std::string reason{};  ///< why there is none; empty beside a null that the answer has for its value
 };
 
 [[nodiscard]] CollectedValue collected(const Json& answer, const CollectedColumn& column);

@@ -1,10 +1,13 @@
 #include "api/answers/sweep/rows.hpp"
 
 #include <algorithm>
+#include <limits>
 #include <mutex>
 
 #include "api/answers/many.hpp"
+#include "api/contract/json_reader.hpp"
 #include "api/json/documents.hpp"
+#include "api/json/pointer.hpp"
 #include "core/base/work.hpp"
 
 namespace qdot::api {
@@ -16,6 +19,19 @@ std::string reason_of_problem(const Json& problem) {
   const auto errors = problem.find("errors");
   if (errors != problem.end() && !errors->empty()) return (*errors)[0].value("detail", "");
   return problem.value("detail", "");
+}
+
+/// The digits of collected numbers, as the answer has them.
+std::vector<std::string> digits_in(const std::string& answer, const std::vector<CollectedColumn>& columns) {
+  constexpr std::size_t any = std::numeric_limits<std::size_t>::max();
+  const auto read = read_json(answer, {.bytes = any, .nodes = any});
+  const auto* document = std::get_if<JsonDocument>(&read);
+  std::vector<std::string> digits(columns.size());
+  for (std::size_t i = 0; i < columns.size() && document != nullptr; ++i) {
+    const auto found = document->numbers.find(std::string(root_pointer) + columns[i].pointer);
+    if (found != document->numbers.end()) digits[i] = found->second;
+  }
+  return digits;
 }
 
 SweptRow read_row(const Response& response, const std::vector<CollectedColumn>& columns,
@@ -68,13 +84,17 @@ SweptRows answered_rows(const SweepPlan& plan, const Call& call, const FindSyste
   const FindSystem same = [&plan](const Json&, const Place&, Errors&) { return plan.scene; };
   const Answering answering = plan.question->question.answering(plan.is_carried ? same : find_system, own);
   const std::vector<std::string> wanted = members_read(plan.columns);
+  const bool has_more_digits = plan.asked.fields.value("precision", Json()) == "extended";
   SweptRows answered{.rows = std::vector<SweptRow>(plan.swept.rows)};
   std::vector<std::string> units(plan.columns.size());
   std::vector<std::size_t> first(plan.columns.size(), plan.swept.rows);  // row that the unit is of
   std::mutex mutex;
   const auto ask = [&](std::size_t i) {
     std::vector<std::string> own_units;
-    answered.rows[i] = read_row(asked_row(plan, i, wanted, call, answering), plan.columns, own_units);
+    const Response response = asked_row(plan, i, wanted, call, answering);
+    answered.rows[i] = read_row(response, plan.columns, own_units);
+    if (has_more_digits && response.status == 200)
+      answered.rows[i].digits = digits_in(response.body, plan.columns);
     const std::lock_guard lock(mutex);
     for (std::size_t column = 0; column < own_units.size(); ++column) {
       if (own_units[column].empty() || first[column] < i) continue;

@@ -12,6 +12,8 @@ struct SweptRow {
   int status{0};               ///< 0: not asked
   std::string reason{};        ///< why something is missing; empty: the row is whole
   std::vector<Json> values{};  ///< one for each column, null where it is missing
+  /// For each column what a number was written with, where doubles have less digits; empty without any.
+  std::vector<std::string> digits{};
 };
 
 struct SweptRows {

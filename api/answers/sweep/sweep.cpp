@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <variant>
 
 #include "api/answers/answers.hpp"
@@ -43,8 +44,10 @@ class SweepAnswer {
       for (std::size_t i = 0; i < plan_.swept.variables.size(); ++i)
         writer.member(plan_.swept.variables[i].name, plan_.swept.value(row, i));
       const SweptRow& answered = swept_.rows[row];
-      for (std::size_t i = 0; i < plan_.columns.size(); ++i)
-        writer.member(plan_.columns[i].name, answered.values[i]);
+      for (std::size_t i = 0; i < plan_.columns.size(); ++i) {
+        writer.key(plan_.columns[i].name);
+        write_value(writer, answered, i);
+      }
       if (!is_whole(answered)) {
         writer.member("status", answered.status);
         writer.member("reason", answered.reason);
@@ -66,9 +69,10 @@ class SweepAnswer {
         append_number(text, plan_.swept.value(row, i));
         text += ',';
       }
-      for (const Json& value : swept_.rows[row].values) append_cell(text, value);
-      text += std::to_string(swept_.rows[row].status) + ",";
-      append_text_cell(text, swept_.rows[row].reason);
+      const SweptRow& answered = swept_.rows[row];
+      for (std::size_t i = 0; i < plan_.columns.size(); ++i) append_cell(text, answered, i);
+      text += std::to_string(answered.status) + ",";
+      append_text_cell(text, answered.reason);
       text += '\n';
     }
     return {.content_type = sweep_csv, .body = std::move(text)};
@@ -84,11 +88,34 @@ class SweepAnswer {
       writer.numbers(column);
     }
     for (std::size_t i = 0; i < plan_.columns.size(); ++i) {
-      Json values = Json::array();
-      for (const SweptRow& row : swept_.rows) values.push_back(row.values[i]);
-      writer.member(plan_.columns[i].name, values);
+      writer.key(plan_.columns[i].name);
+      if (has_digits(i)) {
+        writer.begin_array();
+        for (const SweptRow& row : swept_.rows) write_value(writer, row, i);
+        writer.end_array();
+      } else {
+        Json values = Json::array();
+        for (const SweptRow& row : swept_.rows) values.push_back(row.values[i]);
+        writer.value(values);
+      }
     }
     writer.end_object();
+  }
+
+  [[nodiscard]] bool has_digits(std::size_t column) const {
+    return std::ranges::any_of(swept_.rows,
+                               [&](const SweptRow& row) { return digits_of(row, column) != nullptr; });
+  }
+
+  static const std::string* digits_of(const SweptRow& row, std::size_t column) {
+    return row.digits.empty() || row.digits[column].empty() ? nullptr : &row.digits[column];
+  }
+
+  static void write_value(JsonWriter& writer, const SweptRow& row, std::size_t column) {
+    if (const std::string* digits = digits_of(row, column))
+      writer.number_text(*digits);
+    else
+      writer.value(row.values[column]);
   }
 
   [[nodiscard]] Json failed() const {
@@ -118,8 +145,11 @@ class SweepAnswer {
     text += '"';
   }
 
-  static void append_cell(std::string& text, const Json& value) {
-    if (value.is_number_float()) {
+  static void append_cell(std::string& text, const SweptRow& row, std::size_t column) {
+    const Json& value = row.values[column];
+    if (const std::string* digits = digits_of(row, column)) {
+      text += *digits;
+    } else if (value.is_number_float()) {
       append_number(text, value.get<double>());
     } else if (value.is_string()) {
       append_text_cell(text, value.get<std::string>());

@@ -10,12 +10,25 @@
 #include "api/json/limits.hpp"
 #include "api/json/suggest.hpp"
 #include "api/json/text.hpp"
-#include "core/numerics/function.hpp"
+#include "core/numerics/double_double_function.hpp"
 
 namespace qdot::api {
 namespace {
 
 constexpr std::int64_t most_counted = 1'000'000'000;  ///< the rows are counted together
+
+/// The place of step i of n between two numbers, rounded once from the decimals that were written: 0.1 to 1
+/// in nine steps goes over 0.3, and 1 to 1000 in three equal ratios over 10.
+double between(const DoubleDouble& from, const DoubleDouble& to, double i, double n) {
+  return ((from * (n - i) + to * i) / n).high;
+}
+
+/// Of the logarithms of what is on one side of zero, each written there in its own digits.
+double between_by_ratio(const Real& from, const Real& to, double i, double n) {
+  const double side = from.value < 0 ? -1 : 1;
+  const auto logarithm = [side](const Real& x) { return evaluate(Function::log, x.double_double() * side); };
+  return side * exp((logarithm(from) * (n - i) + logarithm(to) * i) / n).high;
+}
 
 }  // namespace
 
@@ -115,15 +128,15 @@ std::optional<SweepVariable> VariableReader::variable_called(const std::string& 
   return std::nullopt;
 }
 
-double VariableReader::number(const Json& value, const SweepVariable& variable, const Place& place) {
+Real VariableReader::number(const Json& value, const SweepVariable& variable, const Place& place) {
   const auto read =
       read_number(NumberKind{.unit = variable.unit}, variable.name, value, place, scope_, errors_);
-  if (!read) return 0;
+  if (!read) return {};
   // One sentence is enough, however many values are meant so.
   if (notes_.empty())
     if (std::string note = note_on({variable.name, variable.unit, {}}, value, read->value); !note.empty())
       notes_.push_back(std::move(note));
-  return read->value;
+  return *read;
 }
 
 void VariableReader::fill(const Json& parts, const Place& place, SweptRange& range) {
@@ -136,15 +149,15 @@ void VariableReader::fill(const Json& parts, const Place& place, SweptRange& ran
 
 void VariableReader::fill_values(const Json& values, const Place& place, SweptRange& range) {
   for (std::size_t i = 0; i < values.size(); ++i)
-    range.values.push_back(number(values[i], range.variable, place.below(i)));
+    range.values.push_back(number(values[i], range.variable, place.below(i)).value);
   range.echo = {{"values", range.values}};
 }
 
 void VariableReader::fill_law(SweptRange::Law law, const Json& pair, const Place& place, SweptRange& range) {
   const bool is_normal = law == SweptRange::Law::normal;
   range.law = law;
-  range.first = number(pair[0], range.variable, place.below(std::size_t{0}));
-  range.second = number(pair[1], range.variable, place.below(std::size_t{1}));
+  range.first = number(pair[0], range.variable, place.below(std::size_t{0})).value;
+  range.second = number(pair[1], range.variable, place.below(std::size_t{1})).value;
   range.echo[is_normal ? "normal" : "uniform"] = {range.first, range.second};
   if (is_normal ? range.second < 0 : range.second < range.first)
     report(errors_, place.error("out_of_range", is_normal ? "A standard deviation is not negative."
@@ -152,11 +165,11 @@ void VariableReader::fill_law(SweptRange::Law law, const Json& pair, const Place
 }
 
 void VariableReader::fill_grid(const Json& parts, const Place& place, SweptRange& range) {
-  const double from = number(parts["from"], range.variable, place.below("from"));
-  const double to = number(parts["to"], range.variable, place.below("to"));
+  const Real from = number(parts["from"], range.variable, place.below("from"));
+  const Real to = number(parts["to"], range.variable, place.below("to"));
   const auto count = parts["count"].get<std::int64_t>();
   const bool is_log = parts.value("spacing", "linear") == "log";
-  if (is_log && (from == 0 || to == 0 || (from > 0) != (to > 0))) {
+  if (is_log && (from.value == 0 || to.value == 0 || (from.value > 0) != (to.value > 0))) {
     report(errors_,
            place.below("spacing").error("out_of_range", "Equal ratios need values on one side of 0."));
     return;
@@ -165,14 +178,17 @@ void VariableReader::fill_grid(const Json& parts, const Place& place, SweptRange
     refuse_rows(place.below("count"));
     return;
   }
-  range.echo = {{"from", from}, {"to", to}, {"count", count}, {"spacing", is_log ? "log" : "linear"}};
+  range.echo = {
+      {"from", from.value}, {"to", to.value}, {"count", count}, {"spacing", is_log ? "log" : "linear"}};
   const auto steps = static_cast<double>(count - 1);
+  const DoubleDouble first = from.double_double(), last = to.double_double();
   for (std::int64_t i = 0; i < count; ++i) {
     const auto step = static_cast<double>(i);
-    // Whole numbers of steps: 1 to 20 in 190 steps goes over 1.1, not over 1.0999999999999999.
-    const double between =
-        is_log ? from * power(to / from, step / steps) : (from * (steps - step) + to * step) / steps;
-    range.values.push_back(i == 0 ? from : i == count - 1 ? to : between);
+    if (i == 0 || i == count - 1)
+      range.values.push_back(i == 0 ? from.value : to.value);
+    else
+      range.values.push_back(is_log ? between_by_ratio(from, to, step, steps)
+                                    : between(first, last, step, steps));
   }
   if (!std::ranges::all_of(range.values, [](double value) { return std::isfinite(value); }))
     report(errors_, place.below("to").error("out_of_range", "The values between pass double precision."));

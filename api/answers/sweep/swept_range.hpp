@@ -10,6 +10,7 @@
 #include "api/contract/field_values.hpp"
 #include "api/contract/submission.hpp"
 #include "api/contract/written_value.hpp"
+#include "core/numerics/real.hpp"
 
 namespace qdot::api {
 
@@ -60,7 +61,7 @@ class VariableReader {
  private:
   Json resolved_parts(const GivenVariable& given, const Place& place);
   std::optional<SweepVariable> variable_called(const std::string& name, const Place& place);
-  double number(const Json& value, const SweepVariable& variable, const Place& place);
+  Real number(const Json& value, const SweepVariable& variable, const Place& place);
   void fill(const Json& parts, const Place& place, SweptRange& range);
   void fill_values(const Json& values, const Place& place, SweptRange& range);
   void fill_law(SweptRange::Law law, const Json& pair, const Place& place, SweptRange& range);

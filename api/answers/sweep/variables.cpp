@@ -56,7 +56,11 @@ void combine(const std::vector<SweptRange>& ranges, SweptValues& swept) {
 std::vector<GivenVariable> given_variables(const SweepRequest& request, const Place& whole, Errors& errors) {
   const Place vary = whole.below("vary");
   if (request.vary.is_string()) return {{request.vary.get<std::string>(), parts_beside(request), true}};
-  if (!request.vary.is_object() || request.vary.empty()) {
+  if (request.vary.is_object() && request.vary.empty()) {
+    report(errors, vary.error("empty", "Nothing varies: {\"k\": {\"from\": 1, \"to\": 50, \"count\": 50}}."));
+    return {};
+  }
+  if (!request.vary.is_object()) {
     report(errors, wrong_type(vary, "vary", "an object of variables, or the name of one", request.vary));
     return {};
   }
