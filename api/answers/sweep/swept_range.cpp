@@ -132,11 +132,24 @@ Real VariableReader::number(const Json& value, const SweepVariable& variable, co
   const auto read =
       read_number(NumberKind{.unit = variable.unit}, variable.name, value, place, scope_, errors_);
   if (!read) return {};
+  if (value.is_string() && !is_told_as_double_ && !is_what_its_double_says(*read, variable)) {
+    is_told_as_double_ = true;
+    notes_.push_back(in_quotes(value.get<std::string>()) +
+                     " is rounded: rows are asked with the numbers that the columns show.");
+  }
   // One sentence is enough, however many values are meant so.
   if (notes_.empty())
     if (std::string note = note_on({variable.name, variable.unit, {}}, value, read->value); !note.empty())
       notes_.push_back(std::move(note));
   return *read;
+}
+
+/// Whether a row that is asked with the double is asked with the number, as with 0.5 for "50 cm": pi is not.
+bool VariableReader::is_what_its_double_says(const Real& number, const SweepVariable& variable) {
+  Errors none;
+  const auto said =
+      read_number(NumberKind{.unit = variable.unit}, variable.name, Json(number.value), whole_, scope_, none);
+  return said && *said == number;
 }
 
 void VariableReader::fill(const Json& parts, const Place& place, SweptRange& range) {

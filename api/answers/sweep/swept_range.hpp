@@ -62,6 +62,7 @@ class VariableReader {
   Json resolved_parts(const GivenVariable& given, const Place& place);
   std::optional<SweepVariable> variable_called(const std::string& name, const Place& place);
   Real number(const Json& value, const SweepVariable& variable, const Place& place);
+  [[nodiscard]] bool is_what_its_double_says(const Real& number, const SweepVariable& variable);
   void fill(const Json& parts, const Place& place, SweptRange& range);
   void fill_values(const Json& values, const Place& place, SweptRange& range);
   void fill_law(SweptRange::Law law, const Json& pair, const Place& place, SweptRange& range);
@@ -75,6 +76,7 @@ class VariableReader {
   ParameterScope& scope_;
   Errors& errors_;
   std::vector<std::string> notes_;
+  bool is_told_as_double_{false};
 };
 
 }  // namespace qdot::api
