@@ -134,6 +134,14 @@ double rounded_share(const SectionEnd& end, double tau) {
   return rough_exp2((rough_log2(end.rounding) - rough_log2(whole)) / m);
 }
 
+/// To the end of those before.
+void move_rows(std::vector<double>& more, std::vector<double>& rows) {
+  if (rows.empty())
+    rows = std::move(more);
+  else
+    rows.insert(rows.end(), more.begin(), more.end());
+}
+
 }  // namespace
 
 std::vector<double> apart_after(const SectionEnd& end, std::span<const double> e) {
@@ -211,12 +219,11 @@ void ApartAlong::ask(RunRequest& run, const Originals& originals) const {
   run.apart = now_;
 }
 
-void ApartAlong::add(const Run& done) {
+void ApartAlong::add(Run& done) {
   if (!is_wanted_) return;
   const std::size_t width = reached_.size(), end = rows_.all.size() + done.rows * width;
-  rows_.all.insert(rows_.all.end(), done.apart.begin(), done.apart.end());
-  rows_.by_rounding.insert(rows_.by_rounding.end(), done.apart_by_rounding.begin(),
-                           done.apart_by_rounding.end());
+  move_rows(done.apart, rows_.all);
+  move_rows(done.apart_by_rounding, rows_.by_rounding);
   for (std::size_t i = rows_.all.size(); i < end; ++i) {
     const double rounding = std::abs(now_.by_rounding[i % width]) / OwnErrors::enlarged;
     const double truncation = std::abs(now_.by_truncation[i % width]);

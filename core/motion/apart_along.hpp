@@ -41,8 +41,8 @@ class ApartAlong {
 
   [[nodiscard]] bool is_wanted() const { return is_wanted_; }
   void ask(RunRequest& run, const Originals& originals) const;
-  /// The next run's rows, and where it ended. A run that has no such rows changes nothing.
-  void add(const Run& done);
+  /// Takes the next run's rows, and where it ended. A run that has no such rows changes nothing.
+  void add(Run& done);
   /// The same of the motion that is stood for, and of what rounds the instant. `reached` is filled in here,
   /// as below.
   [[nodiscard]] double seconds(SectionEnd end, std::span<const double> unseen) const;

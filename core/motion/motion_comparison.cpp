@@ -1,14 +1,13 @@
 #include "core/motion/motion_comparison.hpp"
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
-#include <cstdint>
 #include <span>
 
+#include "core/motion/all_row_errors.hpp"
 #include "core/motion/event_comparison.hpp"
 #include "core/motion/kept_quantities.hpp"
-#include "core/motion/row_errors.hpp"
+#include "core/motion/row_tables.hpp"
 #include "core/motion/rows_at_impacts.hpp"
 #include "core/motion/winding.hpp"
 #include "core/numerics/pairs.hpp"
@@ -17,21 +16,8 @@
 namespace qdot {
 namespace {
 
-constexpr double part = 0.1;  ///< of its own time, in which no difference changes its sign twice
 constexpr double only_rounding = 1e-9;
 constexpr double useful = 1e-3;  ///< horizon: of a column's largest magnitude
-
-/// What the checks may have missed up to a row.
-void take_unseen(const std::vector<Simulation>& others, std::size_t row, std::vector<double>& unseen) {
-  std::ranges::fill(unseen, 0.0);
-  for (const Simulation& other : others) {
-    if (other.unseen.empty() || row >= other.rows) continue;
-    const double* of_row = other.unseen.data() + row * unseen.size();
-    double* const most = unseen.data();
-    for (std::size_t k = 0; k < unseen.size(); k += 2)
-      put_pair(most + k, larger_or(pair_at(of_row + k), pair_at(most + k)));
-  }
-}
 
 /// What errors of each column are large or small beside: its largest magnitude, or where that is rounding of
 /// other coordinates of its kind, such as of a ball that lies between others, a small part of theirs.
@@ -42,14 +28,6 @@ std::vector<double> scales_of(const ComputedMotion& motion) {
   return scales;
 }
 
-bool is_whole(double x) {
-  constexpr double without_fractions = 0x1p53;
-  return !(std::abs(x) < without_fractions) || x == static_cast<double>(static_cast<std::int64_t>(x));
-}
-
-/// Of a number that is not negative.
-double next_above(double x) { return std::bit_cast<double>(std::bit_cast<std::uint64_t>(x) + 1); }
-
 class Comparing {
  public:
   Comparing(const ComputedMotion& motion, const std::vector<Simulation>& others)
@@ -57,30 +35,13 @@ class Comparing {
         others_(others),
         width_(motion.width()),
         largest_(scales_of(motion)),
-        at_impacts_(motion, largest_),
-        errors_(largest_, [&] { return winding_coordinates(motion.dynamics.model()); }),
-        workspace_(motion.dynamics.accelerations().bind(motion.request.parameters)),
-        missed_(width_),
-        acceleration_(width_ / 2),
-        tau_(width_ / 2),
-        difference_(width_) {
-    for (std::size_t i = 0; i < tau_.size(); ++i) {
-      const double tau = largest_[i] / largest_[tau_.size() + i];
-      if (tau > 0 && std::isfinite(tau)) tau_[i] = tau;
-    }
-  }
+        at_impacts_(motion, largest_) {}
 
   RowComparison compare(double doubt, double lost_from) {
     RowComparison result;
     result.max_abs_error.resize(width_);
     const std::size_t rows = std::min(motion_.simulation.rows, others_.front().rows);
-    std::vector<double> stated(rows * width_);  // of each row
-    for (std::size_t i = 0; i < rows; ++i) {
-      if (motion_.grid.t[i] >= lost_from) errors_.lose();
-      add(i);
-      const std::span<double> error = std::span(stated).subspan(i * width_, width_);
-      for (std::size_t k = 0; k < width_; ++k) error[k] = errors_.so_far()[k] + doubt * largest_[k];
-    }
+    const std::vector<double> stated = errors(rows, doubt, lost_from);
     note_rows_asked_for(rows, stated, result);
     result.changed = changed(stated);
     add_event_errors(stated, doubt, result);
@@ -94,88 +55,40 @@ class Comparing {
   }
 
  private:
-  [[nodiscard]] std::span<const double> row_of(const Simulation& simulation, std::size_t row) const {
-    return std::span(simulation.states).subspan(row * width_, width_);
-  }
-
-  /// On the motion's side of an impact. Motions in double-doubles go through the motion's own impacts.
-  [[nodiscard]] std::span<const double> state_of(const Simulation& other, std::size_t row) {
-    if (other.sections.empty()) return row_of(other, row);
-    auto beside = at_impacts_.on_side_of_motion(other, motion_.grid.t[row]);
-    return beside ? beside_impacts_.emplace_back(std::move(*beside)) : row_of(other, row);
-  }
-
-  [[nodiscard]] std::span<const double> apart_of(const Simulation& simulation, std::size_t row) const {
-    if (simulation.apart.empty()) return {};
-    return std::span(simulation.apart).subspan(row * width_, width_);
-  }
-
-  void add(std::size_t row) {
-    same_row_.clear();
-    beside_impacts_.clear();
-    beside_impacts_.reserve(others_.size());
+  [[nodiscard]] std::vector<double> errors(std::size_t rows, double doubt, double lost_from) {
+    std::vector<OtherRows> others;
+    std::vector<std::vector<double>> beside_impacts;
+    beside_impacts.reserve(others_.size());
     for (const Simulation& other : others_) {
-      if (row < other.rows) same_row_.push_back({state_of(other, row), apart_of(other, row)});
+      others.push_back({other.rows, other.states, other.apart, other.unseen, other.accelerations});
+      if (!other.sections.empty())
+        others.back().states = beside_impacts.emplace_back(on_side_of_motion(other, rows));
     }
-    take_unseen(others_, row, missed_);
-    add_rounding_of_instant(row);
-    add_slopes_of_differences(row);
-    errors_.add(motion_.grid.t[row], row_of(motion_.simulation, row), same_row_, missed_);
+    AllRowErrors all({motion_.grid.t, motion_.grid.left_out, motion_.simulation.states, largest_},
+                     std::move(others), accelerations(),
+                     [this] { return winding_coordinates(motion_.dynamics.model()); });
+    std::vector<double> stated = all.first(rows, lost_from);
+    for (std::size_t i = 0; doubt > 0 && i < stated.size(); ++i) stated[i] += doubt * largest_[i % width_];
+    return stated;
   }
 
-  void add_rounding_of_instant(std::size_t row) {
-    const double t = motion_.grid.t[row];
-    const double in_parts = t * 0x1p20, left_out = std::abs(motion_.grid.left_out[row]);
-    const bool is_short = is_whole(in_parts);  // and so a decimal, too
-    if (is_short && left_out == 0) return;
-    const std::size_t n = width_ / 2;
-    const std::span<const double> y = row_of(motion_.simulation, row);
-    if (!take_accelerations(row)) return;
-    const double rounded = is_short ? left_out : (next_above(std::abs(t)) - std::abs(t)) / 2;
-    for (std::size_t i = 0; i < n; ++i) {
-      missed_[i] += rounded * std::abs(y[n + i]);
-      missed_[n + i] += rounded * std::abs(acceleration_[i]);
+  /// States on the motion's side of impacts. Motions in double-doubles go through the motion's own impacts.
+  [[nodiscard]] std::vector<double> on_side_of_motion(const Simulation& other, std::size_t rows) {
+    std::vector<double> states = other.states;
+    for (std::size_t row = 0; row < std::min(rows, other.rows); ++row) {
+      const auto beside = at_impacts_.on_side_of_motion(other, motion_.grid.t[row]);
+      if (beside) std::ranges::copy(*beside, states.begin() + static_cast<std::ptrdiff_t>(row * width_));
     }
+    return states;
   }
 
-  /// Bounds of them near the row that a check has, or their values there.
-  bool take_accelerations(std::size_t row) {
-    const std::size_t n = width_ / 2;
-    for (const Simulation& other : others_) {
-      if (row >= other.rows || other.accelerations.empty()) continue;
-      const auto bounds = std::span(other.accelerations).subspan(row * n, n);
-      if (std::ranges::any_of(bounds, [](double a) { return std::isnan(a); })) continue;
-      std::ranges::copy(bounds, acceleration_.begin());
-      return true;
-    }
-    const double t = motion_.grid.t[row];
-    const std::span<const double> y = row_of(motion_.simulation, row);
-    return motion_.dynamics.accelerations().evaluate(t, y, workspace_, acceleration_) == Evaluation::ok;
-  }
-
-  /// A difference may be passing zero at a row, by chance, but then its slope is not zero: that of
-  /// coordinates is the difference of velocities. So much it may be half-way to the next row, or a tenth of
-  /// the motion's own time L_q / L_v away.
-  void add_slopes_of_differences(std::size_t row) {
-    const std::size_t n = width_ / 2;
-    const std::span<const double> y = row_of(motion_.simulation, row);
-    const std::vector<double>& t = motion_.grid.t;
-    const double to_next = row + 1 < t.size() ? t[row + 1] - t[row] : row > 0 ? t[row] - t[row - 1] : 0;
-    std::ranges::fill(difference_, 0.0);
-    for (const auto& other : same_row_) {
-      double* const most = difference_.data();
-      for (std::size_t k = 0; k < 2 * n; k += 2) {
-        const PairOfDoubles difference = magnitudes(pair_at(&y[k]) - pair_at(&other.row[k]));
-        put_pair(most + k, larger_or(difference, pair_at(most + k)));
-      }
-    }
-    for (std::size_t i = 0; i < n; ++i) {
-      const double tau = tau_[i];
-      if (tau == 0) continue;
-      const double away = std::min(to_next / 2, part * tau);
-      missed_[i] += away * difference_[n + i];
-      missed_[n + i] += away / tau * (difference_[i] / tau);
-    }
+  [[nodiscard]] AllRowErrors::AccelerationsAt accelerations() const {
+    const CompiledFunction& function = motion_.dynamics.accelerations();
+    return [this, &function, workspace = function.bind(motion_.request.parameters)](
+               std::size_t row, std::span<double> a) mutable {
+      const auto y = std::span(motion_.simulation.states).subspan(row * width_, width_);
+      return function.evaluate(motion_.grid.t[row], y, workspace, a) == Evaluation::ok;
+    };
   }
 
   /// Errors grow: those of the last row are the largest.
@@ -238,13 +151,6 @@ class Comparing {
   std::size_t width_;
   std::vector<double> largest_;  ///< scales_of(motion)
   RowsAtImpacts at_impacts_;
-  RowErrors errors_;
-  Workspace workspace_;
-  std::vector<OtherRow> same_row_;                   ///< of the others
-  std::vector<std::vector<double>> beside_impacts_;  ///< those of them that were moved
-  std::vector<double> missed_, acceleration_;
-  std::vector<double> tau_;         ///< L_q / L_v of each coordinate; 0 where that is no time
-  std::vector<double> difference_;  ///< in a row, the largest of each column
 };
 
 }  // namespace
@@ -254,11 +160,12 @@ std::vector<double> largest_magnitudes(const ComputedMotion& motion, Rows which)
   const std::vector<bool>& wanted = motion.grid.wanted;
   const bool all_count = which == Rows::all || std::ranges::find(wanted, false) == wanted.end();
   std::vector<double> largest(width);
+  if (all_count) return largest_in_columns(std::span(motion.simulation.states).first(rows * width), width);
   for (std::size_t k = 0; k < width; k += 2) {
     const double* y = motion.simulation.states.data() + k;
     PairOfDoubles most{};
     for (std::size_t row = 0; row < rows; ++row, y += width) {
-      if (all_count || wanted[row]) most = larger_or(magnitudes(pair_at(y)), most);
+      if (wanted[row]) most = larger_or(magnitudes(pair_at(y)), most);
     }
     put_pair(&largest[k], most);
   }

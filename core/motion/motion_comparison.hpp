@@ -1,10 +1,8 @@
 #pragma once
 // What other computations of a motion say of the error of its rows.
 //
-// The differences are read by row_errors.hpp. A row is where its instant t has been rounded to, and was asked
-// for at a decimal: by so much, half a unit in the last place of t, the motion goes on in between, and
-// |y'| times that is added. What is conserved must not change by more than these errors allow
-// (kept_quantities.hpp).
+// The differences are read by all_row_errors.hpp. What is conserved must not change by more than these errors
+// allow (kept_quantities.hpp).
 
 #include <optional>
 #include <string>

@@ -4,28 +4,13 @@
 #include <limits>
 #include <utility>
 
-#include "core/numerics/pairs.hpp"
-
 namespace qdot {
 namespace {
 
-constexpr double storing = 0x1p-52;      ///< a number is rounded when it is stored
-constexpr double too_much = 0.5;         ///< of a column
-constexpr double safety_of_samples = 2;  ///< of what another is off by: one sample of its signs
 constexpr double of_lost = 4;  ///< times the range: the true motion may go farther than those computed
 
-/// In two columns of a row, side by side: there is an even number of them.
-struct Largest {
-  PairOfDoubles difference{}, apart{};  ///< of the others from it, and from what they stand for
-
-  [[nodiscard]] PairOfDoubles error(PairOfDoubles value, PairOfDoubles unseen) const {
-    return difference + larger_or(safety_of_samples * apart, difference) + storing * magnitudes(value) +
-           unseen;
-  }
-};
-
-inline Largest largest_of(std::size_t k, PairOfDoubles value, std::span<const OtherRow> others) {
-  Largest largest;
+inline LargestOff largest_of(std::size_t k, PairOfDoubles value, std::span<const OtherRow> others) {
+  LargestOff largest;
   for (const OtherRow& other : others) {
     largest.difference = larger_or(magnitudes(value - pair_at(&other.row[k])), largest.difference);
     if (!other.apart.empty()) largest.apart = larger_or(pair_at(&other.apart[k]), largest.apart);
@@ -64,9 +49,9 @@ void RowErrors::add(double t, std::span<const double> row, std::span<const Other
   auto is_lost = PairOfDoubles{} > PairOfDoubles{};
   for (std::size_t k = 0; k < row.size(); k += 2) {
     const PairOfDoubles value = pair_at(&row[k]);
-    const Largest largest = largest_of(k, value, others);
+    const LargestOff largest = largest_of(k, value, others);
     put_pair(error + k, larger_or(largest.error(value, pair_or_zeros(unseen, k)), pair_at(before + k)));
-    is_lost |= safety_of_differences * largest.difference > too_much * pair_at(scale + k);
+    is_lost |= is_too_much(largest.difference, pair_at(scale + k));
   }
   lost_ = lost_ || lost_from_next_ || is_lost[0] != 0 || is_lost[1] != 0;
   widen(row);

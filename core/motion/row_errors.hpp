@@ -19,6 +19,8 @@
 #include <span>
 #include <vector>
 
+#include "core/numerics/pairs.hpp"
+
 namespace qdot {
 
 /// Times the difference of two computations is the error; differences were 0.85 to 1.2 times the error.
@@ -28,6 +30,24 @@ inline constexpr double safety_of_differences = 2;
 struct OtherRow {
   std::span<const double> row{}, apart{};
 };
+
+/// In two columns of a row, side by side: there is an even number of them.
+struct LargestOff {
+  PairOfDoubles difference{}, apart{};  ///< of the others from it, and from what they stand for
+
+  [[nodiscard]] PairOfDoubles error(PairOfDoubles value, PairOfDoubles unseen) const {
+    constexpr double storing = 0x1p-52;      // a number is rounded when it is stored
+    constexpr double safety_of_samples = 2;  // of what another is off by: one sample of its signs
+    return difference + larger_or(safety_of_samples * apart, difference) + storing * magnitudes(value) +
+           unseen;
+  }
+};
+
+/// Whether a column of that size is lost.
+[[nodiscard]] inline auto is_too_much(PairOfDoubles difference, PairOfDoubles size) {
+  constexpr double too_much = 0.5;
+  return safety_of_differences * difference > too_much * size;
+}
 
 /// The error of component k of a row alone; `unseen` may be empty.
 [[nodiscard]] double error_of_row(std::size_t k, std::span<const double> row,

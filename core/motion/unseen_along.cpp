@@ -25,10 +25,16 @@ std::vector<double> rates_of_map(const SectionEnd& impact, double late) {
 
 }  // namespace
 
-void UnseenAlong::add(const Run& done) {
+void UnseenAlong::add(Run& done) {
   const std::size_t width = done.y.size(), before = count_ * width;
   count_ += done.rows;
   if (unseen_.empty() && done.unseen_at_end.empty()) return;
+  if (before == 0 && unseen_.empty()) {
+    unseen_ = done.unseen_at_end;
+    rows_ = std::move(done.unseen);
+    rows_.resize(count_ * width);
+    return;
+  }
   unseen_.resize(width);
   rows_.resize(before);
   rows_.resize(count_ * width);

@@ -12,8 +12,8 @@ namespace qdot {
 
 class UnseenAlong {
  public:
-  /// The next run's rows, and what it hides up to its end.
-  void add(const Run& done);
+  /// Takes what the next run hides in its rows, and up to its end.
+  void add(Run& done);
   /// An impact may have been so much earlier or later, alike in all computations of this motion.
   void doubt_instant(const SectionEnd& impact, double late);
 
