@@ -18,12 +18,14 @@ void PairedRises::find(const MotionPiece& step, const StepTerms& terms, Separati
   if (!originals_.both(step.t, place_, order, c_)) return;
 
   Separation::Known &of_a = asked.known(), &of_b = rounded.known();
-  of_a.e.assign(a.apart.begin(), a.apart.end());
-  of_b.e.assign(b.apart.begin(), b.apart.end());
-  of_a.order = of_b.order = order;
-  of_a.enough = of_b.enough = std::min(least_order, order);
-  of_a.rise.resize(n);
-  of_b.rise.resize(n);
+  for (Separation::Known* const known : {&of_a, &of_b}) {
+    known->e.resize(n);
+    known->rise.resize(n);
+    known->order = order;
+    known->enough = std::min(least_order, order);
+  }
+  std::ranges::copy(a.apart, of_a.e.begin());
+  std::ranges::copy(b.apart, of_b.e.begin());
   for (std::size_t i = 0; i < n; ++i) {
     const double* own = step.rows.data() + i * (step.order + 1);
     PairOfDoubles* c = c_.data() + i * (order + 1);

@@ -43,6 +43,8 @@ Separation::Separation(const RightHandSide& original, std::vector<double> moved_
       slow_(e_.size()),
       added_(e_.size()),
       most_(e_.size()),
+      before_(e_.size()),
+      added_before_(e_.size()),
       beside_(e_.size()),
       rise_(e_.size()) {
   for (std::size_t i = 0; i < e_.size(); ++i) largest_[i] = std::abs(e_[i]);
@@ -102,8 +104,8 @@ void Separation::release_what_is_pushed() {
 /// been added where the part begins.
 void Separation::advance(const MotionPiece& piece, const StepTerms& terms, const Part& part) {
   const bool is_whole = part.from == 0 && part.to == 1;
-  before_ = e_;
-  added_before_ = added_;
+  std::ranges::copy(e_, before_.begin());
+  std::ranges::copy(added_, added_before_.begin());
   if (is_whole) {
     take_some(piece.order);
   } else {
@@ -113,7 +115,7 @@ void Separation::advance(const MotionPiece& piece, const StepTerms& terms, const
     add_part(piece.order, part);
   }
   bool is_told = take_rise(piece, terms);
-  if (is_whole) note_growth(piece.order);
+  if (is_whole && !made_.sizes.empty()) note_growth(piece.order);
   if (is_whole && is_told && part_of_acting() > large_part) is_told = begin_with_acting(piece, terms);
   const double length = part.to - part.from;
   is_given_up_ = is_given_up_ || (!is_told && length <= shortest_where_lost && lost_steps_ > most_lost_steps);
@@ -217,11 +219,13 @@ void Separation::add_part(unsigned order, const Part& part) {
   const bool is_whole = part.from == 0 && part.to == 1;
   if (is_whole && late_growth_ == 1 && made_.acting.empty()) return add(made_.sizes, made_.sides);
   const double share = is_whole ? late_growth_ : whole_power(part.to, order) - whole_power(part.from, order);
-  std::vector<double> sizes(made_.sizes.begin(), made_.sizes.end());
-  for (double& size : sizes) size *= share;
   const double of_acting = is_whole ? acting_left_ : part.to - part.from;
-  for (std::size_t i = 0; i < made_.acting.size(); ++i) sizes[i] += of_acting * made_.acting[i];
-  add(sizes, made_.sides);
+  part_.resize(made_.sizes.size());
+  for (std::size_t i = 0; i < part_.size(); ++i) {
+    part_[i] = made_.sizes[i] * share;
+    if (!made_.acting.empty()) part_[i] += of_acting * made_.acting[i];
+  }
+  add(part_, made_.sides);
 }
 
 void Separation::add(std::span<const double> sizes, std::span<const double> sides) {
@@ -282,14 +286,19 @@ bool Separation::is_lost(std::size_t i, double largest) const {
 
 /// Of the coordinates, or velocities, that begin there.
 double Separation::largest_size(std::size_t begin) const {
-  return *std::ranges::max_element(std::span(size_).subspan(begin, e_.size() / 2));
+  const double* const size = size_.data() + begin;
+  double largest = size[0];
+  for (std::size_t i = 1; i < size_.size() / 2; ++i) largest = largest < size[i] ? size[i] : largest;
+  return largest;
 }
 
 bool Separation::is_lost() const {
   const std::size_t n = e_.size() / 2;
-  for (std::size_t i = 0; i < e_.size(); ++i) {
-    const double largest = largest_size(i < n ? 0 : n);
-    if (largest > 0 && is_lost(i, large_part * largest)) return true;
+  for (std::size_t begin = 0; begin < e_.size(); begin += n) {
+    const double largest = largest_size(begin);
+    for (std::size_t i = begin; largest > 0 && i < begin + n; ++i) {
+      if (is_lost(i, large_part * largest)) return true;
+    }
   }
   return false;
 }
@@ -333,7 +342,7 @@ bool Separation::take_rise(const MotionPiece& step, const StepTerms& terms) {
   const bool is_known = is_known_ && known_.e == e_;
   const unsigned order = is_known ? known_.order : std::min(order_, step.order);
   unsigned enough = is_known ? known_.enough : rise(step, terms, order);
-  if (is_known) rise_ = known_.rise;
+  if (is_known) rise_.swap(known_.rise);
   if (enough > order && order < step.order) enough = rise(step, terms, step.order);
   order_ = enough > least_order ? enough + 1 : least_order;
   return enough <= step.order;

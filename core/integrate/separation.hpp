@@ -128,8 +128,8 @@ class Separation {
   std::vector<double> slow_;   ///< velocities that move a coordinate by less than its size in the step
   std::vector<double> added_;  ///< sum of the errors of steps, and of what they alone make of coordinates
   std::vector<double> most_;   ///< bound of e_ where a step's own errors are large beside y
-  std::vector<double> before_, added_before_;  ///< e_ and added_ before a part that may be taken back
-  std::vector<double> beside_, c_, rise_;      ///< scratch
+  std::vector<double> before_, added_before_;     ///< e_ and added_ before a part that may be taken back
+  std::vector<double> beside_, c_, rise_, part_;  ///< scratch
 };
 
 }  // namespace qdot
