@@ -176,7 +176,8 @@ bool Measurement::add_check(std::vector<Simulation>& others, double direction) {
   Simulation& other = others.emplace_back(run(std::move(request)));
   add_hidden_impacts(now, other);
   event_rows_->set_apart(other, request_.y_start.size());
-  add_rounding_in_common(now, {largest_magnitudes(now, Rows::all), largest_of_kind(now)}, other);
+  if (other.method == Method::bdf)
+    add_rounding_in_common(now, {largest_magnitudes(now, Rows::all), largest_of_kind(now)}, other);
   if (other.ending != Ending::given_up) return can_be_checked_by(other);
   expected_excess_ = growth->expected();
   return false;
