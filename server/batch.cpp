@@ -23,6 +23,7 @@
 #include "server/line_reader.hpp"
 #include "server/ordered_work.hpp"
 #include "server/processors.hpp"
+#include "server/signals.hpp"
 #include "server/usage_error.hpp"
 
 namespace qdot::server {
@@ -31,7 +32,8 @@ namespace {
 sigset_t stopping_signals() {
   sigset_t signals;
   sigemptyset(&signals);
-  for (const int signal : {SIGTERM, SIGINT, SIGHUP}) sigaddset(&signals, signal);
+  for (const int signal : {SIGTERM, SIGINT, SIGHUP})
+    if (!is_ignored(signal)) sigaddset(&signals, signal);
   return signals;
 }
 
@@ -54,14 +56,21 @@ void end_on_signal(BatchOutput& output, const BatchProgress& progress, bool can_
   }).detach();
 }
 
-Descriptor opened(const std::string& file) {
+Descriptor descriptor_of(const std::string& file) {
   if (file.empty() || file == "-") {
     if (::isatty(STDIN_FILENO) != 0)
       throw UsageError("name a file of requests, a line each, or give them on stdin");
     return Descriptor(::dup(STDIN_FILENO));
   }
-  Descriptor descriptor(::open(file.c_str(), O_RDONLY | O_CLOEXEC));
-  if (!descriptor) throw UsageError("cannot read " + file);
+  return Descriptor(::open(file.c_str(), O_RDONLY | O_CLOEXEC));
+}
+
+Descriptor opened(const std::string& file) {
+  const std::string name = file.empty() || file == "-" ? "stdin" : file;
+  Descriptor descriptor = descriptor_of(file);
+  struct stat status {};
+  if (::fstat(descriptor.get(), &status) != 0) throw UsageError("cannot read " + name);
+  if (S_ISDIR(status.st_mode)) throw UsageError(name + " is a directory, and no file of lines");
   return descriptor;
 }
 
@@ -112,14 +121,15 @@ ExitCode run_batch(const BatchOptions& options) {
   if (options.resume && options.output.empty()) throw UsageError("--resume needs --output FILE");
   ::mallopt(M_ARENA_MAX, 4);  // what one thread frees, others use
   const Descriptor input = opened(options.file);
-  const auto start = options.resume ? BatchOutput::Start::where_it_ended : BatchOutput::Start::anew;
-  BatchOutput output(options.output, start);
   leave_signals_to_one_thread();
-  BatchProgress progress(size_of(input.get()));
+  const api::Service service({.scenes_directory = options.scenes});
+  const auto start = options.resume ? BatchOutput::Start::where_it_ended : BatchOutput::Start::anew;
+  BatchOutput output(options.output, start, input.get());
+  BatchProgress progress(size_of(input.get()), output.is_terminal());
   end_on_signal(output, progress, !options.output.empty());
   LineReader reader(input.get(), api::longest_batch_line());
   skip_answered(reader, output, progress);
-  const api::Service service({.scenes_directory = options.scenes});
+  output.begin();  // all that could be refused has been looked at
   const api::Work bounds = options.bounded ? api::Work::bounded : api::Work::unbounded;
   OrderedWork work(
       threads_of(options), [&](const InputLine& line) { return answer_to(line, service, bounds); },

@@ -62,31 +62,45 @@ std::string id_at(int file, off_t begin) {
   return is_answer ? std::string(text.substr(before_id.size(), end - before_id.size())) : "";
 }
 
+/// Of links, too, and however it was opened.
+bool are_one_file(int input, int output) {
+  struct stat read {};
+  struct stat written {};
+  if (::fstat(input, &read) != 0 || ::fstat(output, &written) != 0) return false;
+  return S_ISREG(read.st_mode) && read.st_dev == written.st_dev && read.st_ino == written.st_ino;
+}
+
 }  // namespace
 
-BatchOutput::BatchOutput(const std::string& path, Start start) : descriptor_(STDOUT_FILENO) {
+BatchOutput::BatchOutput(const std::string& path, Start start, int input) : descriptor_(STDOUT_FILENO) {
+  if (!path.empty()) {
+    file_ = Descriptor(::open(path.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666));
+    descriptor_ = file_.get();
+    if (descriptor_ < 0) throw UsageError("cannot write " + path);
+  }
+  if (are_one_file(input, descriptor_))
+    throw UsageError(
+        "the answers would be written over the lines that are read: give them a file of their own");
   if (path.empty()) return;
-  file_ = Descriptor(::open(path.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666));
-  descriptor_ = file_.get();
-  if (descriptor_ < 0) throw UsageError("cannot write " + path);
   if (::flock(descriptor_, LOCK_EX | LOCK_NB) != 0) throw UsageError("another batch writes " + path);
   struct stat status {};
   const bool is_regular = ::fstat(descriptor_, &status) == 0 && S_ISREG(status.st_mode);
   if (!is_regular && start == Start::where_it_ended)
     throw UsageError(path + " is no file that a batch could be resumed with");
-  if (!is_regular) return;
-  if (start == Start::where_it_ended) {
-    find_the_end();
-  } else if (::ftruncate(descriptor_, 0) != 0) {
-    throw_errno("cannot empty the file of answers");
-  }
+  if (is_regular) end_ = start == Start::anew ? 0 : end_of_the_answers();
 }
 
-void BatchOutput::find_the_end() {
+off_t BatchOutput::end_of_the_answers() {
   const Lines there = lines_in(descriptor_);
   lines_ = there.count;
   if (there.count > 0) last_id_ = id_at(descriptor_, there.last_begin);
-  if (::ftruncate(descriptor_, there.end) != 0 || ::lseek(descriptor_, there.end, SEEK_SET) < 0)
+  return there.end;
+}
+
+bool BatchOutput::is_terminal() const { return ::isatty(descriptor_) != 0; }
+
+void BatchOutput::begin() {
+  if (end_ && (::ftruncate(descriptor_, *end_) != 0 || ::lseek(descriptor_, *end_, SEEK_SET) < 0))
     throw_errno("cannot go to the end of the answers");
 }
 

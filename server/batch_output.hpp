@@ -2,8 +2,11 @@
 // Where the answers of a batch go: stdout, or a file that a batch which was killed can be resumed with. The
 // file holds whole lines in the order of the input, and at most a torn one behind them.
 
+#include <sys/types.h>
+
 #include <cstdint>
 #include <mutex>
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -15,9 +18,14 @@ class BatchOutput {
  public:
   enum class Start { anew, where_it_ended };
 
-  /// stdout where `path` is empty. Throws UsageError for a file that cannot be written, or that another batch
-  /// writes.
-  BatchOutput(const std::string& path, Start start);
+  /// stdout where `path` is empty. Nothing of a file that is there is changed before begin(). Throws
+  /// UsageError for a file that cannot be written, that another batch writes, or that `input` is read from.
+  BatchOutput(const std::string& path, Start start, int input);
+
+  /// Cuts what is there behind the answers that are kept; lines are written from there on.
+  void begin();
+
+  [[nodiscard]] bool is_terminal() const;
 
   /// How many lines of the input are answered already.
   [[nodiscard]] std::uint64_t lines() const { return lines_; }
@@ -31,10 +39,11 @@ class BatchOutput {
   void close();
 
  private:
-  void find_the_end();
+  off_t end_of_the_answers();
 
   Descriptor file_;
   int descriptor_;
+  std::optional<off_t> end_;  // of the answers that are kept; only a file has one
   std::uint64_t lines_{0};
   std::string last_id_;
   std::timed_mutex writing_;

@@ -32,10 +32,9 @@ std::string progress_text(const BatchState& state) {
   return text + ", about " + about(state.seconds * (all - done) / of_this_run) + " left";
 }
 
-BatchProgress::BatchProgress(std::optional<std::uint64_t> bytes_in_all) {
+BatchProgress::BatchProgress(std::optional<std::uint64_t> bytes_in_all, bool answers_are_shown) {
   state_.bytes_in_all = bytes_in_all;
-  if (::isatty(STDERR_FILENO) != 0 && ::isatty(STDOUT_FILENO) == 0)
-    thread_ = std::jthread([this] { show(); });
+  if (::isatty(STDERR_FILENO) != 0 && !answers_are_shown) thread_ = std::jthread([this] { show(); });
 }
 
 BatchProgress::~BatchProgress() {

@@ -26,8 +26,8 @@ struct BatchState {
 
 class BatchProgress {
  public:
-  /// Shows nothing unless stderr is a terminal and stdout is none.
-  explicit BatchProgress(std::optional<std::uint64_t> bytes_in_all);
+  /// Shows nothing unless stderr is a terminal and the answers do not go to one.
+  BatchProgress(std::optional<std::uint64_t> bytes_in_all, bool answers_are_shown);
   ~BatchProgress();
   BatchProgress(const BatchProgress&) = delete;
   BatchProgress& operator=(const BatchProgress&) = delete;

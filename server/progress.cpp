@@ -2,17 +2,22 @@
 
 #include <unistd.h>
 
+#include <array>
 #include <cmath>
 #include <csignal>
 #include <iostream>
 #include <string>
 #include <utility>
 
+#include "server/signals.hpp"
+
 namespace qdot::server {
 namespace {
 
 std::atomic<bool> interrupt_came{false};
 static_assert(std::atomic<bool>::is_always_lock_free, "A signal handler sets it.");
+
+constexpr std::array stopping{SIGINT, SIGTERM};
 
 void note_interrupt(int /*signal*/) { interrupt_came = true; }
 
@@ -22,11 +27,13 @@ Progress::Progress() : shows_(::isatty(STDERR_FILENO) != 0) {
   struct sigaction action {};
   action.sa_handler = note_interrupt;
   action.sa_flags = SA_RESETHAND | SA_RESTART;
-  ::sigaction(SIGINT, &action, nullptr);
+  for (const int signal : stopping)
+    if (!is_ignored(signal)) ::sigaction(signal, &action, nullptr);
 }
 
 Progress::~Progress() {
-  std::signal(SIGINT, SIG_DFL);
+  for (const int signal : stopping)
+    if (!is_ignored(signal)) std::signal(signal, SIG_DFL);
   if (shows_ && told_ > 0) std::cerr << "\r\x1b[K" << std::flush;
 }
 

@@ -183,6 +183,43 @@ class Memory(Batch):
         self.assertLess(bytes_in, MOST_MEMORY)
 
 
+class Files(Batch):
+    """What is refused has changed no file."""
+
+    def refused(self, target, *arguments, stdin=subprocess.DEVNULL, stdout=subprocess.PIPE):
+        before = self.read(target)
+        run = subprocess.run([QDOT, "batch", *arguments], stdin=stdin, stdout=stdout, stderr=subprocess.PIPE, timeout=60,
+                             check=False, env=ENVIRONMENT)
+        self.assertEqual((run.returncode, self.read(target)), (2, before), run.stderr)
+        return run.stderr.decode()
+
+    def test_the_lines_are_not_written_over(self):
+        source = self.path("in", lines(3).removesuffix("\n"))
+        os.symlink(source, self.path("symbolic"))
+        os.link(source, self.path("hard"))
+        for more in ([], ["--resume"]):
+            for name in ("in", "symbolic", "hard"):
+                with self.subTest(name=name, more=more):
+                    said = self.refused(source, source, "--output", self.path(name), *more)
+                    self.assertIn("over the lines that are read", said)
+            with self.subTest(name="stdin", more=more), open(source, encoding="utf-8") as stdin:
+                self.refused(source, "--output", source, *more, stdin=stdin)
+        with open(source, "a", encoding="utf-8") as stdout:
+            self.refused(source, source, stdout=stdout)
+
+    def test_an_input_that_has_no_lines_leaves_the_answers(self):
+        target = self.path("out", "answers of hours\n")
+        for more in ([], ["--resume"]):
+            with self.subTest(more=more):
+                self.assertIn("directory", self.refused(target, self.directory.name, "--output", target, *more))
+
+    def test_scenes_that_cannot_be_read_leave_the_answers(self):
+        source, target = self.path("in", lines(2)), self.path("out", "answers of hours\n")
+        for scenes in (self.path("no_such"), os.path.dirname(self.path("bad.json", "{"))):
+            with self.subTest(scenes=scenes):
+                self.refused(target, source, "--output", target, "--scenes", scenes)
+
+
 class Resume(Batch):
     def run_until(self, source, target, seconds):
         """Runs, and kills it after so long; its exit code."""
@@ -277,7 +314,7 @@ class Terminal(Batch):
         source = self.path("in", "".join(line(i, "simulate", slow) for i in range(100000)))
         terminal, its_end = pty.openpty()
         process = subprocess.Popen([QDOT, "batch", source, "--output", self.path("out"), "--jobs", "1"], stderr=its_end,
-                                   stdout=subprocess.DEVNULL, env=ENVIRONMENT, preexec_fn=listen_to_control_c)
+                                   stdout=its_end, env=ENVIRONMENT, preexec_fn=listen_to_control_c)
         os.close(its_end)
         text = read_until(terminal, b" left")
         process.send_signal(signal.SIGINT)

@@ -56,12 +56,19 @@ class OwnMachine(unittest.TestCase):
                 self.assertIn("too little memory", problem["detail"])
 
 
+def listen_to_signals():
+    """A shell's background ignores Ctrl-C, and what it starts would go on ignoring it."""
+    for number in (signal.SIGINT, signal.SIGTERM):
+        signal.signal(number, signal.SIG_DFL)
+
+
 class Ending(unittest.TestCase):
-    def stopped(self, *command):
+    def stopped(self, *command, by=signal.SIGINT):
         """What is said on stdout and stderr by a command that is interrupted after a second's work."""
-        process = subprocess.Popen([QDOT, *command], stdout=subprocess.PIPE, stderr=subprocess.PIPE, env=ENVIRONMENT)
+        process = subprocess.Popen([QDOT, *command], stdout=subprocess.PIPE, stderr=subprocess.PIPE, env=ENVIRONMENT,
+                                   preexec_fn=listen_to_signals)
         time.sleep(10 if SANITIZED else 1)
-        process.send_signal(signal.SIGINT)
+        process.send_signal(by)
         sent = time.monotonic()
         answer, said = process.communicate(timeout=60)
         self.assertLess(time.monotonic() - sent, 50 if SANITIZED else 5)
@@ -82,14 +89,36 @@ class Ending(unittest.TestCase):
         with tempfile.NamedTemporaryFile("w", suffix=".json") as file:
             json.dump({**ask, "vary": {"k": {"from": 10, "to": 50, "count": 100_000}}}, file)
             file.flush()
-            answer, said = self.stopped("sweep", "--request", file.name)
-        self.assertRegex(said, r"^Stopped after \d+ s\.\n$")
-        answer = json.loads(answer)
-        rows = answer["rows"]
-        self.assertTrue(0 < rows < 100_000)
-        self.assertIn(f"first {rows} of 100000 rows", answer["notes"][-1])
-        asked = json.loads(qdot("sweep", stdin=json.dumps({**ask, "vary": {"k": {"values": answer["columns"]["k"]}}})).stdout)
-        self.assertEqual((answer["columns"], answer["failed"]), (asked["columns"], []))
+            answers = [self.stopped("sweep", "--request", file.name, by=by) for by in (signal.SIGINT, signal.SIGTERM)]
+        for answer, said in answers:
+            self.assertRegex(said, r"^Stopped after \d+ s\.\n$")
+            answer = json.loads(answer)
+            rows = answer["rows"]
+            self.assertTrue(0 < rows < 100_000)
+            self.assertIn(f"first {rows} of 100000 rows", answer["notes"][-1])
+            asked = json.loads(qdot("sweep", stdin=json.dumps({**ask, "vary": {"k": {"values": answer["columns"]["k"]}}})).stdout)
+            self.assertEqual((answer["columns"], answer["failed"]), (asked["columns"], []))
+
+    def test_what_is_ignored_stays_ignored(self):
+        """As a shell's background ignores Ctrl-C."""
+        for command in (["simulate", *ENDLESS], ["batch", "--output", os.devnull]):
+            with self.subTest(command=command[0]):
+                process = subprocess.Popen([QDOT, *command], stdin=subprocess.PIPE, stdout=subprocess.DEVNULL, env=ENVIRONMENT,
+                                           stderr=subprocess.DEVNULL, preexec_fn=lambda: signal.signal(signal.SIGINT, signal.SIG_IGN))
+                time.sleep(10 if SANITIZED else 1)
+                process.send_signal(signal.SIGINT)
+                time.sleep(1)
+                self.assertIsNone(process.poll())
+                process.kill()
+                process.communicate(timeout=20)
+
+    def test_a_file_that_may_not_grow_is_told(self):
+        with tempfile.TemporaryDirectory() as folder:
+            ended = subprocess.run([QDOT, "batch", "--output", os.path.join(folder, "out")], input=b'{"modes": {"system": "cart_pendulum"}}\n'*20,
+                                   capture_output=True, timeout=60, check=False, env=ENVIRONMENT,
+                                   preexec_fn=lambda: resource.setrlimit(resource.RLIMIT_FSIZE, (4096, 4096)))
+        self.assertEqual(ended.returncode, 7, ended.stderr)
+        self.assertTrue(ended.stderr)
 
     def test_a_terminal_is_told_how_far_it_is(self):
         words = ["spring_pendulum", "ask=simulate", "t_end=100", "samples=2", "vary=k", "from=10", "to=50", "count=100000",
@@ -97,7 +126,8 @@ class Ending(unittest.TestCase):
         for command, told in ((["sweep", *words], rb"computing, \d+ s, \d+ of 100000 rows, about \d+ s left"),
                               (["simulate", *ENDLESS], rb"computing, \d+ s")):
             terminal, its_end = pty.openpty()
-            process = subprocess.Popen([QDOT, *command], stdout=subprocess.DEVNULL, stderr=its_end, env=ENVIRONMENT)
+            process = subprocess.Popen([QDOT, *command], stdout=subprocess.DEVNULL, stderr=its_end, env=ENVIRONMENT,
+                                       preexec_fn=listen_to_signals)
             os.close(its_end)
             text, deadline = b"", time.monotonic() + 20
             while text.count(b"computing") < 2 and time.monotonic() < deadline:
