@@ -132,15 +132,17 @@ Real VariableReader::number(const Json& value, const SweepVariable& variable, co
   const auto read =
       read_number(NumberKind{.unit = variable.unit}, variable.name, value, place, scope_, errors_);
   if (!read) return {};
-  if (value.is_string() && !is_told_as_double_ && !is_what_its_double_says(*read, variable)) {
-    is_told_as_double_ = true;
+  // One sentence of a kind is enough, however many values are meant so.
+  if (!has_noted_meaning_)
+    if (std::string note = note_on({variable.name, variable.unit, {}}, value, read->value); !note.empty()) {
+      has_noted_meaning_ = true;
+      notes_.push_back(std::move(note));
+    }
+  if (value.is_string() && !has_noted_rounding_ && !is_what_its_double_says(*read, variable)) {
+    has_noted_rounding_ = true;
     notes_.push_back(in_quotes(value.get<std::string>()) +
                      " is rounded: rows are asked with the numbers that the columns show.");
   }
-  // One sentence is enough, however many values are meant so.
-  if (notes_.empty())
-    if (std::string note = note_on({variable.name, variable.unit, {}}, value, read->value); !note.empty())
-      notes_.push_back(std::move(note));
   return *read;
 }
 

@@ -76,7 +76,7 @@ class VariableReader {
   ParameterScope& scope_;
   Errors& errors_;
   std::vector<std::string> notes_;
-  bool is_told_as_double_{false};
+  bool has_noted_meaning_{false}, has_noted_rounding_{false};
 };
 
 }  // namespace qdot::api

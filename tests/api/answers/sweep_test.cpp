@@ -75,8 +75,9 @@ TEST(SweptValues, SayHowTurnsAreRead) {
   Errors errors;
   const auto swept = read({.vary = {{"theta_dot", {{"values", {"1 Hz", "2 Hz"}}}}}}, errors);
   ASSERT_TRUE(swept);
-  ASSERT_EQ(swept->notes.size(), 1U);
+  ASSERT_EQ(swept->notes.size(), 2U);
   EXPECT_NE(swept->notes[0].find("1 Hz' counts turns"), std::string::npos) << swept->notes[0];
+  EXPECT_NE(swept->notes[1].find("1 Hz' is rounded"), std::string::npos) << swept->notes[1];
 }
 
 TEST(SweptValues, AreNeverMoreThanAllowed) {
