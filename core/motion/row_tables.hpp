@@ -10,10 +10,5 @@ namespace qdot {
 
 /// The largest magnitude of each column.
 [[nodiscard]] std::vector<double> largest_in_columns(std::span<const double> table, std::size_t width);
-/// The largest difference in each column, of the rows that both have.
-[[nodiscard]] std::vector<double> largest_differences(std::span<const double> one,
-                                                      std::span<const double> other, std::size_t width);
-/// Which columns have other numbers than in the first row.
-[[nodiscard]] std::vector<bool> columns_that_vary(std::span<const double> table, std::size_t width);
 
 }  // namespace qdot
