@@ -1,5 +1,7 @@
 // Which sums a series needs, and which of them become part of others.
 
+#include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "core/compile/taylor/translation.hpp"
@@ -13,7 +15,27 @@ std::size_t results(const Instruction& instruction) {
   return instruction.operation == Operation::sine_cosine ? 2 : 1;
 }
 
+/// Or zero: products with it are not rounded away.
+bool is_in_range(double factor) {
+  constexpr double least = 1e-280, most = 1e280;
+  return factor == 0 || (std::abs(factor) > least && std::abs(factor) < most);
+}
+
 }  // namespace
+
+double TaylorTranslation::Form::product(double a, double b) {
+  const double both = a * b;
+  if (!is_in_range(both) || (both == 0 && a != 0 && b != 0)) factors = Factors::out_of_range;
+  if (std::fma(a, b, -both) != 0) factors = std::max(factors, Factors::rounded);
+  return both;
+}
+
+double TaylorTranslation::Form::reciprocal(double a) {
+  const double one_over = 1 / a;
+  if (!is_in_range(one_over)) factors = Factors::out_of_range;
+  if (std::fma(a, one_over, -1) != 0) factors = std::max(factors, Factors::rounded);
+  return one_over;
+}
 
 void TaylorTranslation::find_forms() {
   for (std::size_t i = 0; i <= tape_.variables_; ++i) varies_[tape_.parameters_ + i] = true;
@@ -49,12 +71,9 @@ TaylorTranslation::Form TaylorTranslation::form_of(const Instruction& instructio
       form.constant += factor * constants_[x];
     }
   };
-  if (instruction.operation == Operation::solve) {
-    add_term(1 / constants_[operand[0]], operand[1]);
-    return form;
-  }
-  if (instruction.operation == Operation::quotient) {
-    add_term(1 / constants_[operand[1]], operand[0]);
+  if (instruction.operation != Operation::sum_of_products) {
+    const bool is_solve = instruction.operation == Operation::solve;
+    add_term(form.reciprocal(constants_[operand[is_solve ? 0 : 1]]), operand[is_solve ? 1 : 0]);
     return form;
   }
   for (unsigned i = 0; i < instruction.linear; ++i, operand += 2)
@@ -65,9 +84,9 @@ TaylorTranslation::Form TaylorTranslation::form_of(const Instruction& instructio
     if (varies_[x] && varies_[y]) {
       form.products.push_back({factor, x, y});
     } else if (varies_[x]) {
-      add_term(factor * constants_[y], x);
+      add_term(form.product(factor, constants_[y]), x);
     } else {
-      add_term(factor * constants_[x], y);
+      add_term(form.product(factor, constants_[x]), y);
     }
   }
   return form;
@@ -84,6 +103,7 @@ void TaylorTranslation::count_uses() {
     const Form& form = forms_[instruction.out];
     Form whole;
     whole.constant = form.constant;
+    whole.factors = form.factors;
     for (const auto& [factor, x] : form.terms) inline_into(whole, factor, x);
     for (const auto& [factor, x, y] : form.products) multiply_into(whole, factor, x, y);
     forms_[instruction.out] = std::move(whole);
@@ -154,8 +174,10 @@ void TaylorTranslation::inline_into(Form& form, double factor, Slot slot) const 
   }
   const Form& part = forms_[slot];
   form.constant += factor * part.constant;
-  for (const auto& [inner, x] : part.terms) form.terms.push_back({factor * inner, x});
-  for (const auto& [inner, x, y] : part.products) form.products.push_back({factor * inner, x, y});
+  form.factors = std::max(form.factors, part.factors);
+  for (const auto& [inner, x] : part.terms) form.terms.push_back({form.product(factor, inner), x});
+  for (const auto& [inner, x, y] : part.products)
+    form.products.push_back({form.product(factor, inner), x, y});
 }
 
 /// (a + b x) y = a y + b x y
@@ -165,9 +187,10 @@ void TaylorTranslation::multiply_into(Form& form, double factor, Slot x, Slot y)
     form.products.push_back({factor, x, y});
     return;
   }
-  const auto& [constant, terms, products] = forms_[x];
-  if (constant != 0) inline_into(form, factor * constant, y);
-  multiply_into(form, factor * terms[0].factor, y, terms[0].x);
+  const Form& part = forms_[x];
+  form.factors = std::max(form.factors, part.factors);
+  if (part.constant != 0) inline_into(form, form.product(factor, part.constant), y);
+  multiply_into(form, form.product(factor, part.terms[0].factor), y, part.terms[0].x);
 }
 
 /// Or the time.

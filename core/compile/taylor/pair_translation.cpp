@@ -92,6 +92,7 @@ void PairTranslation::take_steps() {
 void PairTranslation::take_start() {
   for (const auto& [slot, row] : a_.start_.rows) start_.rows.emplace_back(slot, at(row));
   start_.time = at(a_.start_.time);
+  start_.put_together = a_.start_.put_together;
   for (const auto& [step, is_row_of_slot, partner, argument_slot] : a_.start_.own)
     start_.own.push_back({step, is_row_of_slot, partner, argument_slot});
 }

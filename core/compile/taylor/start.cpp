@@ -120,6 +120,26 @@ double slope_of_tangent(double constant, double z, double argument) {
   return inverse * inverse;
 }
 
+template <class Number>
+void begin_sum(BasicStep<Number>& step) {
+  Number total = Number{} + step.constant;
+  for (unsigned i = 0; i < step.term_count; ++i) total += step.terms[i].factor * step.terms[i].x[0];
+  for (unsigned i = 0; i < step.product_count; ++i) {
+    const taylor::BasicProduct<Number>& p = step.products[i];
+    total += p.factor * (p.x[0] * p.y[0]);
+  }
+  step.out[0] = total;
+}
+
+template <class Number>
+void begin_solution(const taylor::BasicSolve<Number>& system) {
+  for (std::size_t i = 0; i < system.n; ++i) {
+    Number value{};
+    for (std::size_t j = 0; j < system.n; ++j) value += system.inverse[i * system.n + j] * system.right[j][0];
+    system.unknowns[i][0] = value;
+  }
+}
+
 /// Rows that are no slots, and reciprocals of what a step divides by.
 template <class Number>
 void begin_step(BasicStep<Number>& step, const typename TaylorStart<Number>::Own& own,
@@ -165,6 +185,12 @@ bool TaylorStart<Number>::begin(std::span<const Number> slots, BasicStep<Number>
   }
   for (const auto& [slot, row] : rows) *row = slots[slot];
   time[1] = time[taylor::reversed - 1] = Number{} + 1.0;
+  for (const std::size_t i : put_together) {
+    if (steps[i].solve == nullptr)
+      begin_sum(steps[i]);
+    else
+      begin_solution(*steps[i].solve);
+  }
   for (taylor::BasicProduct<Number>* const p : products) {
     p->x_0 = p->factor * p->x[0];
     p->y_0 = p->factor * p->y[0];

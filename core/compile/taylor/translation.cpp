@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cassert>
+#include <cmath>
 #include <cstdint>
 
 namespace qdot {
@@ -17,6 +18,8 @@ Kind sum_kind(std::size_t terms, std::size_t products) {
                                     {Kind::sum_0_2, Kind::sum_1_2, Kind::sum_2_2, Kind::sum}};
   return products < 3 && terms < 4 ? kinds[products][terms] : Kind::sum;
 }
+
+constexpr double largest_entry = 1e280;  ///< of a matrix whose inverse loses no digits
 
 /// That are no slots.
 std::size_t most_rows_of_its_own(Operation operation) {
@@ -172,6 +175,7 @@ void TaylorTranslation::add_sum(const Form& form, double* out) {
   for (taylor::Product& product : kept_products) start_.products.push_back(&product);
   step.out = out;
   steps_.push_back(step);
+  if (form.factors == Factors::rounded) begin_by_factors();
 }
 
 const double* TaylorTranslation::rate_row_of(Slot slot) {
@@ -298,6 +302,10 @@ void TaylorTranslation::translate_solve(const Instruction& instruction) {
   step.solve = kept(solve).data();
   start_.entries.push_back({entries, step.solve});
   steps_.push_back(step);
+  const auto is_constant = [&](Slot slot) {
+    return !varies_[slot] && std::abs(constants_[slot]) < largest_entry;
+  };
+  if (std::all_of(operand, operand + n * n, is_constant)) begin_by_factors();
 }
 
 }  // namespace qdot

@@ -7,6 +7,7 @@
 // that is the row of its velocity, and where u is a sum of coordinates a sum of such rows, so that nothing
 // waits for u itself.
 
+#include <cstdint>
 #include <memory>
 #include <memory_resource>
 #include <span>
@@ -44,6 +45,9 @@ class TaylorTranslation {
  private:
   friend class PairTranslation;
 
+  /// What constants make when they are put together.
+  enum class Factors : std::uint8_t { exact, rounded, out_of_range };
+
   /// A sum of what varies.
   struct Form {
     struct Term {
@@ -57,6 +61,10 @@ class TaylorTranslation {
     double constant{};
     std::vector<Term> terms;
     std::vector<Product> products;
+    Factors factors{};  ///< the worst of them
+
+    [[nodiscard]] double product(double a, double b);
+    [[nodiscard]] double reciprocal(double a);
   };
 
   struct Uses {
@@ -85,6 +93,7 @@ class TaylorTranslation {
   void translate_arc(const Instruction& instruction, taylor::Step& step);
   void translate_solve(const Instruction& instruction);
   void add_sum(const Form& form, double* out);
+  void begin_by_factors() { start_.put_together.push_back(steps_.size() - 1); }
   [[nodiscard]] const double* rate_row(Slot argument);
   [[nodiscard]] const double* rate_row_of(Slot coordinate_or_time);
 

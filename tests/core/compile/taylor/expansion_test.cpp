@@ -57,6 +57,35 @@ TEST(TaylorExpansion, SaysWhereTheStateHasNoDerivative) {
   EXPECT_EQ(at_pole.expand(0, std::vector<double>{0, 1}, order, c), Evaluation::nonfinite);
 }
 
+/// q'' = A q with q' = q for now: then A q' is A q to the last bit, whatever A is rounded to.
+TEST(TaylorExpansion, TakesTheSameNumbersInAllItsCoefficients) {
+  const std::vector<std::vector<const char*>> coordinates{{"x"}, {"x", "y"}, {"x", "y", "z"}};
+  const std::vector<const char*> lagrangians{
+      "0.7*u*x_dot^2 - 1.3*w*x^2",
+      "0.7*u*x_dot^2 + 0.3*x_dot*y_dot + 0.45*u*y_dot^2 - 0.9*w*x^2 - 0.8*(x - y)^2",
+      "0.7*u*x_dot^2 + 0.3*x_dot*y_dot + 0.45*u*y_dot^2 + 0.35*z_dot^2 + 0.21*x_dot*z_dot - 0.9*w*x^2 - "
+      "0.8*(x - y)^2 - 0.77*(y - z)^2"};
+  for (std::size_t n = 1; n <= 3; ++n) {
+    Scene scene;
+    scene.name = "coupled_masses";
+    scene.without_units = true;
+    for (const char* name : {"u", "w"}) scene.parameters.push_back({name, "1", "1", {}, "", ""});
+    for (const char* name : coordinates[n - 1])
+      scene.coordinates.push_back({name, "1", "0", "0", "", {}, "", ""});
+    scene.lagrangian = lagrangians[n - 1];
+    const Dynamics dynamics(build_model(scene));
+    for (const double u : {1.1, 0.93, 3.7}) {
+      TaylorExpansion expansion(dynamics.accelerations(), std::vector<double>{u, 1.7});
+      const std::vector<double> q{0.41, -0.37, 0.73};
+      std::vector<double> y(q.begin(), q.begin() + static_cast<std::ptrdiff_t>(n));
+      y.insert(y.end(), q.begin(), q.begin() + static_cast<std::ptrdiff_t>(n));
+      std::vector<double> c(y.size() * 3);
+      ASSERT_EQ(expansion.expand(0, y, 2, c), Evaluation::ok);
+      for (std::size_t i = n; i < 2 * n; ++i) EXPECT_EQ(2 * c[3 * i + 2], c[3 * i + 1]) << n << ' ' << u;
+    }
+  }
+}
+
 /// Where cofactors leave the range of doubles a matrix is inverted by elimination.
 TEST(TaylorExpansion, OfThreeUnknownsDoesNotDependOnTheUnitOfMass) {
   Scene scene;
