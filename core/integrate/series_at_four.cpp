@@ -5,26 +5,38 @@ namespace {
 
 using Four [[gnu::vector_size(32)]] = double;
 
-/// As sum_series() does it: odd and even powers apart, and a last odd order first.
+/// So many rows as sum_series() does it: odd and even powers apart, and a last odd order first.
+template <std::size_t count>
+[[gnu::always_inline]] inline void sum_rows_at_four(const double* c, std::size_t order, const Four& s,
+                                                    double* sums) {
+  const Four s2 = s * s;
+  Four odd[count]{}, even[count]{};
+  std::size_t k = order;
+  if (k % 2 == 1) {
+    for (std::size_t i = 0; i < count; ++i) odd[i] += c[i * (order + 1) + k];
+    --k;
+  }
+  for (; k > 0; k -= 2) {
+#pragma GCC unroll 2
+    for (std::size_t i = 0; i < count; ++i) {
+      const double* const row = c + i * (order + 1);
+      odd[i] = odd[i] * s2 + row[k - 1];
+      even[i] = even[i] * s2 + row[k];
+    }
+  }
+  for (std::size_t i = 0; i < count; ++i) {
+    const Four sum = (odd[i] + even[i] * s) * s;
+    __builtin_memcpy(sums + 4 * i, &sum, sizeof sum);
+  }
+}
+
 [[gnu::always_inline]] inline void sum_at_four(const double* c, std::size_t order, const double* times,
                                                double* sums, std::size_t rows) {
   Four s;
   __builtin_memcpy(&s, times, sizeof s);
-  const Four s2 = s * s;
-  for (std::size_t i = 0; i < rows; ++i, c += order + 1, sums += 4) {
-    Four odd{}, even{};
-    std::size_t k = order;
-    if (k % 2 == 1) {
-      odd = Four{c[k], c[k], c[k], c[k]};
-      --k;
-    }
-    for (; k > 0; k -= 2) {
-      odd = odd * s2 + c[k - 1];
-      even = even * s2 + c[k];
-    }
-    const Four sum = (odd + even * s) * s;
-    __builtin_memcpy(sums, &sum, sizeof sum);
-  }
+  std::size_t i = 0;
+  for (; i + 2 <= rows; i += 2) sum_rows_at_four<2>(c + i * (order + 1), order, s, sums + 4 * i);
+  if (i < rows) sum_rows_at_four<1>(c + i * (order + 1), order, s, sums + 4 * i);
 }
 
 // Without fused multiply-adds: both give the same bits.
