@@ -58,7 +58,7 @@ Slot TapeBuilder::literal(const Real& value) {
 bool TapeBuilder::varies(NodeId id) {
   const auto found = varies_.find(id);
   if (found != varies_.end()) return found->second;
-  const std::vector<NodeId> below = children(graph_.node(id));
+  const std::span<const NodeId> below = children(graph_.node(id));
   const bool result = std::any_of(below.begin(), below.end(), [this](NodeId child) { return varies(child); });
   return varies_[id] = result;
 }

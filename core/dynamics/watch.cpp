@@ -60,8 +60,10 @@ Interval around(double number) {
 }
 
 /// The width of the values at a state.
-double rounding_by(const decltype(Watch::enclosure)& enclosure, double t, std::span<const double> y) {
-  const Interval values = enclosure(t, std::vector<Interval>(y.begin(), y.end()));
+double rounding_by(const decltype(Watch::enclosure)& enclosure, double t, std::span<const double> y,
+                   std::vector<Interval>& scratch) {
+  scratch.assign(y.begin(), y.end());
+  const Interval values = enclosure(t, scratch);
   return values.upper - values.lower;
 }
 
@@ -316,13 +318,17 @@ double Watch::rounding(double t, std::span<const double> y) const {
   return values.upper - values.lower;
 }
 
-double Watch::own_rounding(double t, std::span<const double> y) const { return rounding_by(enclosure, t, y); }
+double Watch::own_rounding(double t, std::span<const double> y) const {
+  std::vector<Interval> scratch;
+  return rounding_by(enclosure, t, y, scratch);
+}
 
 EventFunction Watch::event() const {
   EventFunction event{
       .value = value,
       .series = series,
-      .rounding = [of = enclosure](double t, std::span<const double> y) { return rounding_by(of, t, y); },
+      .rounding = [of = enclosure, scratch = std::vector<Interval>()](
+                      double t, std::span<const double> y) mutable { return rounding_by(of, t, y, scratch); },
       .range = enclosure,
       .direction = direction,
       .terminal = kind != Kind::event && kind != Kind::jump,

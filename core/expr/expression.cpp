@@ -346,13 +346,14 @@ std::size_t written_length(const Expression& e) {
   return 2 * length.operations + length.fractions;
 }
 
-std::vector<NodeId> children(const Node& node) {
+std::span<const NodeId> children(const Node& node) {
+  using Children = std::span<const NodeId>;
   return std::visit(
-      overloaded{[](const Literal&) { return std::vector<NodeId>{}; },
-                 [](const Symbol&) { return std::vector<NodeId>{}; }, [](const Sum& x) { return x.terms; },
-                 [](const Product& x) { return x.factors; },
-                 [](const Power& x) { return std::vector<NodeId>{x.base}; },
-                 [](const Call& x) { return std::vector<NodeId>{x.argument}; }},
+      overloaded{[](const Literal&) { return Children(); }, [](const Symbol&) { return Children(); },
+                 [](const Sum& x) { return Children(x.terms); },
+                 [](const Product& x) { return Children(x.factors); },
+                 [](const Power& x) { return Children(&x.base, 1); },
+                 [](const Call& x) { return Children(&x.argument, 1); }},
       node);
 }
 

@@ -110,8 +110,8 @@ class Graph {
 /// whole number one.
 [[nodiscard]] std::size_t written_length(const Expression& e);
 
-/// Children of a node, in order.
-[[nodiscard]] std::vector<NodeId> children(const Node& node);
+/// Children of a node, in order; as long as the node is there.
+[[nodiscard]] std::span<const NodeId> children(const Node& node);
 
 /// e = coefficient * rest, rest without a numeric coefficient (1 for a number).
 struct Scaled {

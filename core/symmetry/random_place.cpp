@@ -63,7 +63,7 @@ PlaceEvaluator::PlaceEvaluator(Graph& graph, std::span<const Expression> express
   for (const Expression& e : expressions) roots_.push_back(e.id());
   order_ = reachable(graph, roots_);
   for (const NodeId id : order_) {
-    const std::vector<NodeId> below = children(graph.node(id));
+    const std::span<const NodeId> below = children(graph.node(id));
     const bool is_symbol = std::holds_alternative<Symbol>(graph.node(id));
     kept_[id] = is_symbol ? std::ranges::any_of(kept, [&](const Expression& e) { return e.id() == id; })
                           : std::ranges::all_of(below, [&](NodeId child) { return kept_[child]; });

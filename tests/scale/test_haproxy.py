@@ -22,7 +22,13 @@ from running_qdot import RunningQdot, qdot  # noqa: E402
 CONFIGURATION = pathlib.Path(__file__).with_name("haproxy.cfg").read_text()
 PATIENCE = 300  # s: what is lost must not depend on how busy this machine is, and a deadline is not what is tested
 LIGHT = [("modes", {"system": "cart_pendulum", "parameters": {"k": k}}) for k in range(10, 30)]
+LARGE = [("batch", "".join(json.dumps({"id": k, "energy": {"system": "spring_pendulum", "parameters": {"k": k}}}) + " " * 900 + "\n"
+                           for k in range(1, 601)))]  # more than half a megabyte
 LONG = [("simulate", {"system": "spring_pendulum", "parameters": {"k": k}, "t_end": 3000, "samples": 5}) for k in range(20, 24)]
+
+
+def body(request):
+    return request if isinstance(request, str) else json.dumps(request)
 
 
 class Asking(threading.Thread):
@@ -31,7 +37,7 @@ class Asking(threading.Thread):
     def __init__(self, port, questions, gap):
         super().__init__()
         self.port, self.questions, self.gap = port, questions, gap
-        self.expected = [qdot(name, stdin=json.dumps(request)).stdout for name, request in questions]
+        self.expected = [qdot(name, stdin=body(request)).stdout for name, request in questions]
         self.sent, self.lost = 0, []
         self.stopped = threading.Event()
 
@@ -42,11 +48,12 @@ class Asking(threading.Thread):
             name, request = self.questions[which]
             self.sent += 1
             try:
-                connection.request("POST", f"/v1/{name}", json.dumps(request), {"Content-Type": "application/json"})
+                kind = "application/x-ndjson" if name == "batch" else "application/json"
+                connection.request("POST", f"/v1/{name}", body(request), {"Content-Type": kind})
                 response = connection.getresponse()
-                body = response.read()
-                if (response.status, body) != (200, self.expected[which]):
-                    self.lost.append((response.status, body[:200]))
+                answer = response.read()
+                if (response.status, answer) != (200, self.expected[which]):
+                    self.lost.append((response.status, answer[:200]))
             except (OSError, http.client.HTTPException) as error:
                 self.lost.append(repr(error))
                 connection.close()
@@ -120,7 +127,7 @@ class HaProxy(unittest.TestCase):
 
     def lost_while(self, work):
         # There are always long ones on their way, so that a replica that ends has something to finish or to lose.
-        asking = [Asking(self.front, questions, gap) for questions, gap in ((LIGHT, 0.02), (LIGHT, 0.02), (LONG, 0), (LONG, 0))]
+        asking = [Asking(self.front, questions, gap) for questions, gap in ((LIGHT, 0.02), (LARGE, 0), (LARGE, 0), (LONG, 0), (LONG, 0))]
         for each in asking:
             each.start()
         try:
@@ -139,6 +146,30 @@ class HaProxy(unittest.TestCase):
     def test_replicas_that_die_lose_nothing(self):
         lost = self.lost_while(lambda: [self.restart(which, lambda process: process.kill()) for which in (0, 1, 2, 0)])
         self.assertEqual(lost, [])
+
+    def in_flight(self):
+        texts = []
+        for port in self.ports:
+            connection = http.client.HTTPConnection("127.0.0.1", port, timeout=PATIENCE)
+            connection.request("GET", "/metrics", headers={"Host": f"localhost:{self.front}"})
+            texts.append(connection.getresponse().read().decode())
+            connection.close()
+        return sum(int(number) for text in texts for number in re.findall(r'qdot_in_flight{lane="heavy"} (\d+)', text))
+
+    def test_what_nobody_waits_for_ends(self):
+        lines = "".join(json.dumps({"simulate": dict(LONG[0][1], parameters={"k": k})}) + "\n" for k in range(1, 601))
+        connection = http.client.HTTPConnection("localhost", self.front, timeout=PATIENCE)
+        connection.request("POST", "/v1/batch", lines, {"Content-Type": "application/x-ndjson"})
+        self.wait_for(lambda: self.in_flight() > 0)
+        connection.close()
+        self.wait_for(lambda: self.in_flight() == 0)
+
+    def wait_for(self, holds):
+        for _ in range(100):
+            if holds():
+                return
+            time.sleep(0.1)
+        self.fail("not within ten seconds")
 
 
 if __name__ == "__main__":
