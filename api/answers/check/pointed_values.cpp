@@ -62,7 +62,8 @@ std::pair<std::string, Path> name_and_indices(const Path& path) {
 
 /// A mode shape says how its coordinates compare, in any unit.
 bool is_direction(const Path& path) {
-  return std::ranges::any_of(path, [](const auto& key) { return key == "shape" || key == "shape_scaled"; });
+  return std::ranges::any_of(
+      path, [](const auto& key) { return key == "shape" || key == "shape_scaled" || key == "shape_error"; });
 }
 
 /// What `units` say of a name, or of one of the numbers in a list of that name.
@@ -187,7 +188,9 @@ class Collector {
       return true;
     }
     const double error = here.is_number() ? error_of(answer_, path_, here.get<double>()) : 0;
-    found_.values.push_back({name_and_indices(path_).first, here, unit_of(answer_, path_), error});
+    const bool may_have_unit = here.is_number() || here.is_null();
+    found_.values.push_back(
+        {name_and_indices(path_).first, here, may_have_unit ? unit_of(answer_, path_) : "1", error});
     return true;
   }
 

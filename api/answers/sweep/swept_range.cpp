@@ -114,6 +114,11 @@ std::optional<SweepVariable> VariableReader::variable_called(const std::string& 
       allowed.push_back(symbol.name);
     }
   }
+  if (allowed.empty()) {
+    report(errors_,
+           place.error("not_applicable", "The question that is asked takes no numbers that could vary."));
+    return std::nullopt;
+  }
   std::string detail = "What varies is a parameter or an initial value of the system that is asked about; " +
                        in_quotes(name) + " is none.";
   if (const std::size_t end = name.find_first_of(":=,; "); end != std::string::npos) {
