@@ -265,16 +265,6 @@ class Resume(Batch):
         qdot("batch", self.path("in", lines(2)), "--output", target)
         self.assertEqual(self.read(target).count(b"\n"), 2)
 
-    def test_answers_to_other_lines_are_left_alone(self):
-        target = self.path("out")
-        qdot("batch", self.path("in", lines(5)), "--output", target)
-        before = self.read(target)
-        others = "".join(line(i + 1, *QUESTIONS[0]) for i in range(9))
-        for text in (others, lines(3)):
-            run = qdot("batch", self.path("other", text), "--output", target, "--resume")
-            self.assertEqual(run.returncode, 2)
-            self.assertEqual(self.read(target), before)
-
     def test_two_do_not_write_one_file(self):
         target = self.path("out")
         with subprocess.Popen([QDOT, "batch", "--output", target], stdin=subprocess.PIPE, env=ENVIRONMENT) as first:
