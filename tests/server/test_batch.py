@@ -139,6 +139,16 @@ class Lines(Batch):
             run = qdot("batch", *arguments)
             self.assertEqual((run.returncode, run.stdout), (2, b""), run.stderr)
 
+    def test_a_variable_of_the_shell_that_is_not_set_is_told(self):
+        for what, *words in (["--output", "batch", "--output", ""], ["--output", "batch", "--output="],
+                             ["--scenes", "batch", "--scenes", ""], ["a word of the command line is empty", "batch", ""], ["a word of the command line is empty", "modes", ""],
+                             ["--request", "modes", "--request", ""], ["--request", "modes", "--request="],
+                             ["--format", "modes", "cart_pendulum", "--format", ""], ["--key", "check", "--key", ""]):
+            with self.subTest(words=words):
+                run = qdot(*words)
+                self.assertEqual((run.returncode, run.stdout), (2, b""), run.stderr)
+                self.assertIn(f"{what} is empty; " if what[0] == "-" else what, run.stderr.decode())
+
 
 class Memory(Batch):
     def peak(self, pieces):
