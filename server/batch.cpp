@@ -53,7 +53,7 @@ void end_on_signal(BatchOutput& output, const BatchProgress& progress, bool can_
     output.close();
     std::cerr << "\nStopped after " << progress.state().lines << " lines"
               << (can_be_resumed ? "; --resume goes on there." : ".") << std::endl;
-    _exit(128 + signal);
+    _exit(static_cast<int>(ExitCode::stopped) + signal);
   }).detach();
 }
 
