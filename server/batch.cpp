@@ -23,6 +23,7 @@
 #include "server/line_reader.hpp"
 #include "server/ordered_work.hpp"
 #include "server/processors.hpp"
+#include "server/resumed.hpp"
 #include "server/signals.hpp"
 #include "server/usage_error.hpp"
 
@@ -52,7 +53,7 @@ void end_on_signal(BatchOutput& output, const BatchProgress& progress, bool can_
     output.close();
     std::cerr << "\nStopped after " << progress.state().lines << " lines"
               << (can_be_resumed ? "; --resume goes on there." : ".") << std::endl;
-    _exit(128 + signal);
+    _exit(static_cast<int>(ExitCode::stopped) + signal);
   }).detach();
 }
 
@@ -94,20 +95,17 @@ std::string answer_to(const InputLine& line, const api::Service& service, api::W
   });
 }
 
-/// Reads over the lines that are answered. The last of them must have the id of the last answer.
-void skip_answered(LineReader& reader, const BatchOutput& output, BatchProgress& progress) {
-  for (std::uint64_t i = 1; i <= output.lines(); ++i) {
-    const auto line = reader.next();
-    if (!line)
-      throw UsageError("the answers are not those to these lines: there are " +
-                       std::to_string(output.lines()) + " of them to " + std::to_string(i - 1) + " lines");
-    progress.skip(1, line->bytes);
-    if (i < output.lines()) continue;
-    const std::string id = line->is_overlong ? "null" : api::id_of_line(line->text, line_fields());
-    if (id != output.last_id())
-      throw UsageError("the answers are not those to these lines: line " + std::to_string(i) +
-                       " has another id than its answer");
-  }
+std::string id_of(const InputLine& line) {
+  return line.is_overlong ? "null" : api::id_of_line(line.text, line_fields());
+}
+
+/// All that could be refused has been looked at when the file is changed.
+std::optional<InputLine> begin(BatchOutput& output, LineReader& lines, BatchProgress& progress) {
+  Resumed found;
+  if (auto answers = output.answers(beginning_of_answer)) found = resumed(*answers, lines, id_of);
+  progress.skip(found.lines, found.line_bytes);
+  output.begin(found.answer_bytes);
+  return std::move(found.next);
 }
 
 int threads_of(const BatchOptions& options) {
@@ -128,8 +126,8 @@ ExitCode run_batch(const BatchOptions& options) {
   BatchProgress progress(size_of(input.get()), output.is_terminal());
   end_on_signal(output, progress, !options.output.empty());
   LineReader reader(input.get(), api::longest_batch_line());
-  skip_answered(reader, output, progress);
-  output.begin();  // all that could be refused has been looked at
+  auto line = begin(output, reader, progress);
+  if (!line) line = reader.next();
   const api::Work bounds = options.bounded ? api::Work::bounded : api::Work::unbounded;
   OrderedWork work(
       threads_of(options), [&](const InputLine& line) { return answer_to(line, service, bounds); },
@@ -137,7 +135,7 @@ ExitCode run_batch(const BatchOptions& options) {
         output.write(piece.text);
         progress.add(piece.lines, piece.input_bytes);
       });
-  while (auto line = reader.next()) work.add(std::move(*line));
+  for (; line; line = reader.next()) work.add(std::move(*line));
   work.finish();
   return ExitCode::ok;
 }

@@ -2,8 +2,6 @@
 // Where the answers of a batch go: stdout, or a file that a batch which was killed can be resumed with. The
 // file holds whole lines in the order of the input, and at most a torn one behind them.
 
-#include <sys/types.h>
-
 #include <cstdint>
 #include <mutex>
 #include <optional>
@@ -11,6 +9,7 @@
 #include <string_view>
 
 #include "server/descriptor.hpp"
+#include "server/line_reader.hpp"
 
 namespace qdot::server {
 
@@ -22,15 +21,13 @@ class BatchOutput {
   /// UsageError for a file that cannot be written, that another batch writes, or that `input` is read from.
   BatchOutput(const std::string& path, Start start, int input);
 
-  /// Cuts what is there behind the answers that are kept; lines are written from there on.
-  void begin();
+  /// The answers that are there already; nothing where the batch begins anew.
+  [[nodiscard]] std::optional<LineReader> answers(std::size_t longest) const;
+
+  /// Cuts what is there behind so many bytes, which are kept; lines are written from there on.
+  void begin(std::uint64_t kept);
 
   [[nodiscard]] bool is_terminal() const;
-
-  /// How many lines of the input are answered already.
-  [[nodiscard]] std::uint64_t lines() const { return lines_; }
-  /// The id of the last of them, as it is written.
-  [[nodiscard]] const std::string& last_id() const { return last_id_; }
 
   /// Writes whole lines. Throws std::system_error.
   void write(std::string_view text);
@@ -39,13 +36,10 @@ class BatchOutput {
   void close();
 
  private:
-  off_t end_of_the_answers();
-
+  Start start_;
   Descriptor file_;
   int descriptor_;
-  std::optional<off_t> end_;  // of the answers that are kept; only a file has one
-  std::uint64_t lines_{0};
-  std::string last_id_;
+  bool can_be_cut_{false};
   std::timed_mutex writing_;
 };
 

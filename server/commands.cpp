@@ -251,12 +251,20 @@ bool has_formats(const Command& command) {
   return command.endpoint != nullptr && command.endpoint->question.fields->find("format") != nullptr;
 }
 
+namespace {
+
+ExitCode stopped_by(int signal) {
+  return static_cast<ExitCode>(static_cast<int>(ExitCode::stopped) + signal);
+}
+
+}  // namespace
+
 ExitCode run(const Command& command, const Arguments& arguments) {
   try {
     auto request = request_of(command, arguments);
     const api::Service service({.scenes_directory = arguments.scenes});
     api::Response response;
-    bool is_stopped = false;
+    int signal = 0;
     double seconds = 0;
     request.work = arguments.bounded ? api::Work::bounded : api::Work::unbounded;
     {
@@ -264,21 +272,21 @@ ExitCode run(const Command& command, const Arguments& arguments) {
       request.interrupted = [&progress] { return progress.is_stopped(); };
       request.spread = progress.counting(spread_over(usable_processors()));
       response = service.handle(request);
-      is_stopped = progress.is_stopped();
+      signal = Progress::signal();
       seconds = progress.passed().count();
     }
     auto code = meaning_of(response);
-    if (is_stopped) {
+    if (signal != 0) {
       std::cerr << "Stopped after " << std::llround(seconds) << " s"
                 << (code == ExitCode::ok ? "." : "; there is no answer.") << std::endl;
-      if (code != ExitCode::ok) return ExitCode::stopped;
+      if (code != ExitCode::ok) return stopped_by(signal);
     }
     auto& stream = code == ExitCode::ok ? std::cout : std::cerr;
     const std::string text = printed(response, code, arguments);
     if (code == ExitCode::ok && arguments.strict && !is_all_right(response.body))
       code = ExitCode::not_all_right;
     write_out(stream, text);
-    return is_stopped ? ExitCode::stopped : code;
+    return signal != 0 ? stopped_by(signal) : code;
   } catch (const UsageError& error) {
     std::cerr << "qdot " << command.name << ": " << error.what() << "\n";
     return ExitCode::usage;

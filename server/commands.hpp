@@ -21,7 +21,7 @@ enum class ExitCode {
   internal = 5,
   unreachable = 6,
   unwritten = 7,  ///< the answer is there and could not be written: a disk is full
-  stopped = 130   ///< by Ctrl-C, as shells have it
+  stopped = 128   ///< by a signal, whose number is added as shells do: Ctrl-C makes it 130, SIGTERM 143
 };
 
 /// What the words after a command are.

@@ -2,6 +2,7 @@
 
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <system_error>
 
@@ -23,6 +24,7 @@ std::optional<InputLine> LineReader::next() {
     take(newline - at_, line);
     ++at_;
     ++line.bytes;
+    line.is_ended = true;
     return line;
   }
   return line.bytes > 0 ? std::optional(std::move(line)) : std::nullopt;
@@ -30,12 +32,8 @@ std::optional<InputLine> LineReader::next() {
 
 void LineReader::take(std::size_t count, InputLine& line) {
   line.bytes += count;
-  if (line.bytes > longest_) {
-    line.is_overlong = true;
-    std::string().swap(line.text);
-  } else {
-    line.text.append(block_, at_, count);
-  }
+  line.is_overlong = line.bytes > longest_;
+  line.text.append(block_, at_, std::min(count, longest_ - line.text.size()));
   at_ += count;
 }
 

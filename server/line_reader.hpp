@@ -1,6 +1,6 @@
 #pragma once
 // The lines of a file or a pipe, one after the other, whatever its size: an overlong line is read to its end,
-// but not kept.
+// but only its beginning is kept.
 
 #include <cstddef>
 #include <cstdint>
@@ -10,8 +10,9 @@
 namespace qdot::server {
 
 struct InputLine {
-  std::string text;         ///< without its newline; empty if it is overlong
+  std::string text;         ///< without its newline; the beginning of an overlong one
   bool is_overlong{false};  ///< it has more bytes than a line may have
+  bool is_ended{false};     ///< by a newline, which the last one may lack
   std::uint64_t bytes{0};   ///< of the input, its newline included
 };
 

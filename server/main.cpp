@@ -120,7 +120,9 @@ void add_batch(CLI::App& app, BatchOptions& options, Action& action) {
   command.add_option("--jobs", options.jobs, "Lines that are answered at a time (default: cores)")
       ->check(CLI::Range(1, max_threads));
   command.add_option("--output", options.output, "File for the answers instead of stdout");
-  command.add_flag("--resume", options.resume, "Go on behind the answers that the output has already");
+  command.add_flag(
+      "--resume", options.resume,
+      "Go on behind the answers that the output has already; of the lines nothing but their ids is compared");
   add_scenes(command, options.scenes);
   add_bounded(command, options.bounded);
   command.footer([] { return help_on_lines(); });

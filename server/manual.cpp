@@ -24,6 +24,7 @@ constexpr auto exit_codes = std::to_array<std::pair<int, std::string_view>>({
     {6, "no server answers"},
     {7, "the answer could not be written: a disk is full, say"},
     {130, "stopped by Ctrl-C"},
+    {143, "stopped by SIGTERM: 128 and the number of the signal"},
 });
 
 /// Text for roff: a point or a quotation mark at the start of a line would be a command.

@@ -14,18 +14,18 @@
 namespace qdot::server {
 namespace {
 
-std::atomic<bool> interrupt_came{false};
-static_assert(std::atomic<bool>::is_always_lock_free, "A signal handler sets it.");
+std::atomic<int> signal_that_came{0};
+static_assert(std::atomic<int>::is_always_lock_free, "A signal handler sets it.");
 
 constexpr std::array stopping{SIGINT, SIGTERM};
 
-void note_interrupt(int /*signal*/) { interrupt_came = true; }
+void note_signal(int signal) { signal_that_came = signal; }
 
 }  // namespace
 
 Progress::Progress() : shows_(::isatty(STDERR_FILENO) != 0) {
   struct sigaction action {};
-  action.sa_handler = note_interrupt;
+  action.sa_handler = note_signal;
   action.sa_flags = SA_RESETHAND | SA_RESTART;
   for (const int signal : stopping)
     if (!is_ignored(signal)) ::sigaction(signal, &action, nullptr);
@@ -37,6 +37,8 @@ Progress::~Progress() {
   if (shows_ && told_ > 0) std::cerr << "\r\x1b[K" << std::flush;
 }
 
+int Progress::signal() { return signal_that_came; }
+
 std::chrono::duration<double> Progress::passed() const { return std::chrono::steady_clock::now() - begun_; }
 
 bool Progress::is_stopped() {
@@ -45,7 +47,7 @@ bool Progress::is_stopped() {
   auto told = told_.load();
   if (shows_ && passed.count() > told && told_.compare_exchange_strong(told, passed.count()))
     tell(passed.count());
-  return interrupt_came;
+  return signal() != 0;
 }
 
 void Progress::tell(std::chrono::seconds::rep seconds) {

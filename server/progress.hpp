@@ -21,6 +21,9 @@ class Progress {
   /// Whether the computation is to end. It is asked often, by several threads.
   [[nodiscard]] bool is_stopped();
 
+  /// The signal that asks for it; 0 without.
+  [[nodiscard]] static int signal();
+
   [[nodiscard]] std::chrono::duration<double> passed() const;
 
   /// The same threads, their tasks counted: the progress is reported in them. Must not outlive this.

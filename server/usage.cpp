@@ -148,6 +148,19 @@ void check_server_word(const std::string& word) {
   throw UsageError("the word " + api::in_quotes(word) + " means nothing here; --help lists the options");
 }
 
+/// The shell has put it for "$FILE" where there is no FILE: what is done without it was not meant.
+[[noreturn]] void refuse_empty(const std::string& what) {
+  throw UsageError(what + " is empty; is it a variable of the shell that is not set?");
+}
+
+/// `words` begin with the option.
+void check_value(const CLI::Option& option, WordSpan words) {
+  if (option.get_items_expected_max() == 0) return;
+  const std::size_t equals = words[0].find('=');
+  const bool is_next = equals == std::string::npos && words.size() > 1;
+  if (is_next ? words[1].empty() : equals + 1 == words[0].size()) refuse_empty(words[0].substr(0, equals));
+}
+
 }  // namespace
 
 std::vector<std::string> in_known_words(const CLI::App& app, std::vector<std::string> words) {
@@ -175,12 +188,14 @@ void check_words(const CLI::App& app, const std::vector<std::string>& words) {
   for (std::size_t i = is_option ? 0 : 1; i < words.size(); ++i) {
     const std::string& word = words[i];
     if (word == "--") return;
+    if (word.empty()) refuse_empty("a word of the command line");
     if (word.size() < 2 || word[0] != '-') {
       if (is_server) check_server_word(word);
       continue;
     }
     const CLI::Option* option = command->get_option_no_throw(word.substr(0, word.find('=')));
     if (option == nullptr) refuse_option(*command, WordSpan(words).subspan(i));
+    check_value(*option, WordSpan(words).subspan(i));
     const bool takes_next = option->get_items_expected_max() > 0 && word.find('=') == std::string::npos;
     if (takes_next) ++i;
   }

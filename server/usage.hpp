@@ -12,7 +12,8 @@ namespace qdot::server {
 /// "help modes" is "modes --help", "turning-points" the command turning_points, "version" --version.
 [[nodiscard]] std::vector<std::string> in_known_words(const CLI::App& app, std::vector<std::string> words);
 
-/// Throws UsageError for a command or an option that is not known, with the one that was probably meant.
+/// Throws UsageError for a command or an option that is not known, with the one that was probably meant, and
+/// for one that is empty.
 void check_words(const CLI::App& app, const std::vector<std::string>& words);
 
 }  // namespace qdot::server

@@ -96,6 +96,29 @@ class Columns(Service):
         refused = json.loads(self.post("sweep", {"ask": MODES, "vary": {}, "collect": {"omega": "/modes/0/omega"}}).data)
         self.assertEqual([(e["pointer"], e["code"]) for e in refused["errors"]], [("#/vary", "empty")])
 
+    def test_what_makes_no_difference_does_not_vary(self):
+        """A column of the same numbers would look like a result."""
+        whirling = {"system": "whirling_pendulum"}
+        arm = {"bifurcations": {**whirling, "parameter": "Omega", "from": 1, "to": 9}}
+        solved = {"equilibria": {**whirling, "solve_for": "Omega", "at": {"theta": 1}}}
+        modes = {"modes": {"system": "cart_pendulum", "equilibrium": {"theta": 0}}}
+        grid = {"values": [0.5, 1.5]}
+        for ask, varied, place, why in ((arm, "Omega", "/critical/0/value", "'parameter' asks"),
+                                        (solved, "Omega", "/Omega", "'solve_for' asks"), (solved, "theta", "/Omega", "'at' has"),
+                                        (modes, "theta", "/modes/0/omega", "'equilibrium' has")):
+            with self.subTest(ask=ask, varied=varied):
+                problem = self.refused("sweep", {"ask": ask, "vary": {varied: grid}, "collect": {"y": place}})
+                self.assertEqual([(e["pointer"], e["code"]) for e in problem["errors"]], [("#/vary", "not_applicable")])
+                self.assertIn(why, problem["errors"][0]["detail"])
+                others = self.sweep(ask, {"R" if varied == "Omega" or ask is solved else "k": grid}, {"y": place})
+                self.assertEqual(others["failed"], [])
+        where_at = self.sweep({"equilibria": {**whirling, "solve_for": "Omega"}}, {"theta": grid}, {"y": "/Omega"})["columns"]["y"]
+        self.assertLess(where_at[0], where_at[1])
+        query = "ask=equilibria&system=whirling_pendulum&solve_for=Omega&at.theta=1&from=1&to=2&count=2&collect=/error&vary="
+        for varied in ("Omega", "theta"):
+            self.assertEqual(self.raw("GET", f"/v1/sweep?{query}{varied}").status, 422)
+        self.assertEqual(self.raw("GET", f"/v1/sweep?{query}l").status, 200)
+
 
 if __name__ == "__main__":
     unittest.main()

@@ -139,6 +139,16 @@ class Lines(Batch):
             run = qdot("batch", *arguments)
             self.assertEqual((run.returncode, run.stdout), (2, b""), run.stderr)
 
+    def test_a_variable_of_the_shell_that_is_not_set_is_told(self):
+        for what, *words in (["--output", "batch", "--output", ""], ["--output", "batch", "--output="],
+                             ["--scenes", "batch", "--scenes", ""], ["a word of the command line is empty", "batch", ""], ["a word of the command line is empty", "modes", ""],
+                             ["--request", "modes", "--request", ""], ["--request", "modes", "--request="],
+                             ["--format", "modes", "cart_pendulum", "--format", ""], ["--key", "check", "--key", ""]):
+            with self.subTest(words=words):
+                run = qdot(*words)
+                self.assertEqual((run.returncode, run.stdout), (2, b""), run.stderr)
+                self.assertIn(f"{what} is empty; " if what[0] == "-" else what, run.stderr.decode())
+
 
 class Memory(Batch):
     def peak(self, pieces):
@@ -264,16 +274,6 @@ class Resume(Batch):
         target = self.path("out", "something\n")
         qdot("batch", self.path("in", lines(2)), "--output", target)
         self.assertEqual(self.read(target).count(b"\n"), 2)
-
-    def test_answers_to_other_lines_are_left_alone(self):
-        target = self.path("out")
-        qdot("batch", self.path("in", lines(5)), "--output", target)
-        before = self.read(target)
-        others = "".join(line(i + 1, *QUESTIONS[0]) for i in range(9))
-        for text in (others, lines(3)):
-            run = qdot("batch", self.path("other", text), "--output", target, "--resume")
-            self.assertEqual(run.returncode, 2)
-            self.assertEqual(self.read(target), before)
 
     def test_two_do_not_write_one_file(self):
         target = self.path("out")

@@ -172,6 +172,7 @@ class Planner {
     std::vector<std::string> taken{"status", "reason"};
     if (swept) {
       refuse_given(*swept);
+      for (const SweepVariable& variable : swept->variables) refuse_without_effect(variable.name);
       for (const SweepVariable& variable : swept->variables) taken.push_back(variable.name);
       plan_.swept = std::move(*swept);
     }
@@ -202,6 +203,27 @@ class Planner {
              whole_.below("vary").error("duplicate_field", in_quotes(variable.name) +
                                                                " is given and varies; leave it out of "
                                                                "the question."));
+    }
+  }
+
+  /// What is asked for does not depend on the value it has, nor does a position that is said of a coordinate
+  /// on where that coordinate starts: all rows would be the same.
+  void refuse_without_effect(const std::string& name) {
+    if (!plan_.echo.contains("ask")) return;  // the question itself is wrong
+    const Json& asked = plan_.echo["ask"].front();
+    for (const std::string field : {"parameter", "solve_for"}) {
+      if (asked.contains(field) && asked[field] == name)
+        report(errors_, whole_.below("vary").error(
+                            "not_applicable", "The answer is the same for every value of " + in_quotes(name) +
+                                                  ", because '" + field + "' asks for it: vary another."));
+    }
+    for (const SymbolRole role : {SymbolRole::position, SymbolRole::equilibrium}) {
+      const std::string group = field_name(role);
+      if (asked.contains(group) && asked[group].contains(name))
+        report(errors_,
+               whole_.below("vary").error("not_applicable", "The answer is the same wherever " +
+                                                                in_quotes(name) + " starts, because '" +
+                                                                group + "' has it: leave out either."));
     }
   }
 
