@@ -243,8 +243,8 @@ struct Transport::Impl {
     next_sweep_ = now_ + (someone_leaves_ ? leaving_interval : sweep_interval);
   }
 
-  /// The server is about to end: only requests in flight keep their connections, and clients that still read,
-  /// for as long as one slice of an answer may take.
+  /// The server is about to end: only requests in flight keep their connections, and clients that still send
+  /// or read, for as long as one slice of an answer may take.
   void release_idle() {
     entrance_.close();
     if (!last_moment_) last_moment_ = now_ + patience_.write;
@@ -252,7 +252,7 @@ struct Transport::Impl {
     for (auto entry = entries_.begin(); entry != entries_.end();) {
       const auto here = entry++;
       const State state = here->second.connection.state();
-      if (state == State::waiting || state == State::reading || (late && state != State::answering))
+      if (state == State::waiting || (late && state != State::answering))
         here->second.connection.close();
       settle(here);
     }

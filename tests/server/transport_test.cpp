@@ -356,6 +356,20 @@ TEST(Transport, StopFinishesWhatIsInFlight) {
   server.stop();
 }
 
+TEST(Transport, StopAnswersWhoIsStillSending) {
+  RunningTransport server;
+  const RawClient client(server.port());
+  client.send(
+      "GET /first HTTP/1.1\r\nHost: a\r\n\r\nPOST /second HTTP/1.1\r\nHost: a\r\nContent-Length: 4\r\n\r\nab");
+  (void)client.read_to("GET /first \n");
+  server.transport().stop();
+  std::this_thread::sleep_for(50ms);
+  client.send("cd");
+  EXPECT_THAT(client.read_all(), EndsWith("POST /second abcd\n"));
+  server.stop();
+  EXPECT_EQ(server.transport().gauges().connections, 0u);
+}
+
 TEST(Transport, TwoServersCannotShareAPort) {
   RunningTransport server;
   try {
