@@ -113,16 +113,13 @@ ServeOptions with_defaults(ServeOptions options) {
 }
 
 Gauges gauges_of(const Application& application, const Transport& transport) {
-  const auto light = application.lanes().gauges(Lane::light);
-  const auto heavy = application.lanes().gauges(Lane::heavy);
   const auto sockets = transport.gauges();
-  return {.light_waiting = light.waiting,
-          .light_running = light.running,
-          .heavy_waiting = heavy.waiting,
-          .heavy_running = heavy.running,
-          .connections = sockets.connections,
-          .unsent_bytes = sockets.unsent_bytes,
-          .draining = application.draining()};
+  Gauges now{.connections = sockets.connections,
+             .unsent_bytes = sockets.unsent_bytes,
+             .draining = application.draining()};
+  for (const Lane lane : all_lanes)
+    now.lanes[static_cast<std::size_t>(lane)] = application.lanes().gauges(lane);
+  return now;
 }
 
 }  // namespace
