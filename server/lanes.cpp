@@ -143,9 +143,12 @@ void Lanes::make_way() {
 void Lanes::step_aside() {
   if (current_ == nullptr || current_->lane == Lane::lengthy || current_->aside || current_->done) return;
   State& it = state(current_->lane);
+  const auto none_may = [&] { return it.aside >= static_cast<std::size_t>(threads_); };
+  // A task asks often; a thread of low priority must not have the lock that often, which others wait for.
+  if (none_may()) return;
   {
     const std::lock_guard lock(mutex_);
-    if (it.aside >= static_cast<std::size_t>(threads_)) return;
+    if (none_may()) return;
     ++it.aside;
     current_->aside = true;
   }

@@ -20,6 +20,7 @@
 // standing one: Nichols and Jacobson, Controlling queue delay, ACM Queue 10 (2012)).
 
 #include <array>
+#include <atomic>
 #include <chrono>
 #include <condition_variable>
 #include <cstddef>
@@ -94,8 +95,8 @@ class Lanes {
     std::deque<Work> queue;
     std::condition_variable changed;
     std::size_t running{0};
-    std::size_t aside{0};  // of those that run, the ones that others need not wait for
-    std::size_t bytes{0};  // held by what runs
+    std::atomic<std::size_t> aside{0};  // of those that run, the ones that others need not wait for
+    std::size_t bytes{0};               // held by what runs
     double running_cost{0}, waiting_cost{0};
     std::chrono::steady_clock::time_point idle{};  // when the lane last had a thread that did nothing
     // Recent work, older work counting less: the pace is their quotient.
