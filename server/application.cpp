@@ -20,7 +20,28 @@ namespace {
 using api::ProblemKind;
 using Milliseconds = std::chrono::duration<double, std::milli>;
 
-constexpr auto longest_light = std::chrono::milliseconds(50);  // work that takes longer was thought too light
+constexpr double lengthy = 1500;  // milliseconds of one core; work that costs more has a lane of its own
+
+/// Work that takes longer was thought too light for its lane.
+Clock::duration longest_in(Lane lane) {
+  switch (lane) {
+    case Lane::light:
+      return std::chrono::milliseconds(50);
+    case Lane::heavy:
+      return std::chrono::milliseconds(500);
+    case Lane::lengthy:
+      break;
+  }
+  return Clock::duration::max() / 2;
+}
+
+/// What needs more memory than heavy work may have together waits with lengthy work, so that it holds up no
+/// small one.
+Lane lane_of(const api::Appraisal& appraisal, const LanesOptions& lanes) {
+  if (appraisal.weight == api::Weight::light) return Lane::light;
+  const bool small = appraisal.milliseconds <= lengthy && appraisal.bytes <= lanes.heavy.bytes;
+  return small ? Lane::heavy : Lane::lengthy;
+}
 
 std::string_view path_of(std::string_view target) { return target.substr(0, target.find('?')); }
 
@@ -74,7 +95,7 @@ void add_queue_time(double milliseconds, api::Response& response) {
 LanesOptions within_deadline(LanesOptions lanes, Clock::duration deadline) {
   constexpr double part_for_waiting = 0.6;
   const double longest = part_for_waiting * std::chrono::duration<double>(deadline).count();
-  for (LaneLimits* limits : {&lanes.light, &lanes.heavy})
+  for (LaneLimits* limits : {&lanes.light, &lanes.heavy, &lanes.lengthy})
     limits->burst_wait = std::min(limits->burst_wait, longest);
   return lanes;
 }
@@ -101,6 +122,7 @@ struct Application::Case {
   api::Request* request;
   const Refusal* refusal;
   api::Appraisal appraisal{};
+  Lane lane{Lane::light};
   double waited{0};  // milliseconds
 };
 
@@ -140,13 +162,13 @@ void Application::receive(const std::shared_ptr<Exchange>& exchange) {
 }
 
 void Application::admit(Case& it) {
-  const auto lane = it.appraisal.weight == api::Weight::heavy ? Lane::heavy : Lane::light;
+  it.lane = lane_of(it.appraisal, options_.lanes);
   Lanes::Work work{.cost = it.appraisal.milliseconds,
-                   .bytes = lane == Lane::heavy ? it.appraisal.bytes : 0,
+                   .bytes = it.lane == Lane::light ? 0 : it.appraisal.bytes,
                    .task = [this, it]() mutable { compute(it); }};
-  if (has_room() && lanes_.submit(lane, std::move(work))) return;
+  if (has_room() && lanes_.submit(it.lane, std::move(work))) return;
   shed(it);
-  if (lane == Lane::light) parts_.overloaded();
+  if (it.lane == Lane::light) parts_.overloaded();
 }
 
 bool Application::has_room() const { return parts_.unsent_bytes() <= options_.unsent_bytes; }
@@ -163,10 +185,10 @@ Follow Application::follow(const Case& it) const { return draining_ ? Follow::cl
 
 void Application::compute(Case& it) {
   const auto deadline = it.exchange->arrived + options_.deadline;
-  const auto begun = Clock::now();
-  const auto over = [this, &exchange = *it.exchange, deadline, begun] {
+  const auto too_long = Clock::now() + longest_in(it.lane);
+  const auto over = [this, &exchange = *it.exchange, deadline, too_long] {
     const auto now = Clock::now();
-    if (now > begun + longest_light) lanes_.step_aside();
+    if (now > too_long) lanes_.step_aside();
     return exchange.abandoned() || now > deadline || now.time_since_epoch().count() > drained_by_;
   };
   try {

@@ -35,16 +35,17 @@ double Lanes::State::longest_wait(std::chrono::steady_clock::time_point now) con
   return std::max(limits.burst_wait - busy.count(), limits.longest_wait);
 }
 
-Lanes::Lanes(const LanesOptions& options) : threads_(options.threads), heavy_bytes_(options.heavy_bytes) {
+Lanes::Lanes(const LanesOptions& options) : threads_(options.threads) {
   state(Lane::light).limits = options.light;
   state(Lane::heavy).limits = options.heavy;
+  state(Lane::lengthy).limits = options.lengthy;
   for (State& lane : states_) {
     lane.recent_cost = assumed_cost;
     lane.recent_seconds = assumed_cost * assumed_pace;
   }
   for (const Lane lane : all_lanes) {
-    // The light lane has spare threads, for when tasks of it have stepped aside.
-    const int count = lane == Lane::light ? 2 * threads_ : threads_;
+    // Where tasks may step aside there are spare threads, for those that then begin beside them.
+    const int count = lane == Lane::lengthy ? threads_ : 2 * threads_;
     for (int i = 0; i < count; ++i) workers_.emplace_back([this, lane] { work(lane); });
   }
 }
@@ -75,18 +76,18 @@ bool Lanes::submit(Lane lane, Work work) {
   return true;
 }
 
-// If nothing runs, something may always begin: the bound on memory must not stop the only task that asks for
-// it.
+// If nothing of a lane runs, something may always begin: the bound on memory must not stop the only task that
+// asks for it.
 bool Lanes::next_may_begin(Lane lane) const {
   const State& it = state(lane);
   if (it.queue.empty() || it.running - it.aside >= static_cast<std::size_t>(threads_)) return false;
   const std::size_t wanted = it.queue.front().bytes;
-  return wanted == 0 || bytes_ == 0 || bytes_ + wanted <= heavy_bytes_;
+  return wanted == 0 || it.bytes == 0 || it.bytes + wanted <= it.limits.bytes;
 }
 
 void Lanes::work(Lane lane) {
   // On Linux each thread has its own niceness.
-  if (lane == Lane::heavy) ::setpriority(PRIO_PROCESS, static_cast<id_t>(::gettid()), heavy_niceness);
+  if (lane != Lane::light) ::setpriority(PRIO_PROCESS, static_cast<id_t>(::gettid()), heavy_niceness);
   State& it = state(lane);
   std::unique_lock lock(mutex_);
   for (;;) {
@@ -107,7 +108,7 @@ void Lanes::begin(Lane lane, std::unique_lock<std::mutex>& lock) {
   it.waiting_cost = it.queue.empty() ? 0 : it.waiting_cost - work.cost;
   it.running_cost += work.cost;
   ++it.running;
-  bytes_ += work.bytes;
+  it.bytes += work.bytes;
   lock.unlock();
   Running running{.lane = lane, .cost = work.cost};
   current_ = &running;
@@ -115,7 +116,7 @@ void Lanes::begin(Lane lane, std::unique_lock<std::mutex>& lock) {
   work.task = nullptr;  // gives back what it held before the next one begins
   current_ = nullptr;
   lock.lock();
-  bytes_ -= work.bytes;
+  it.bytes -= work.bytes;
   count_done(running);
   --it.aside;
   if (--it.running == 0) it.running_cost = 0;
@@ -140,15 +141,18 @@ void Lanes::make_way() {
 }
 
 void Lanes::step_aside() {
-  if (current_ == nullptr || current_->lane == Lane::heavy || current_->aside || current_->done) return;
-  State& light = state(Lane::light);
+  if (current_ == nullptr || current_->lane == Lane::lengthy || current_->aside || current_->done) return;
+  State& it = state(current_->lane);
+  const auto none_may = [&] { return it.aside >= static_cast<std::size_t>(threads_); };
+  // A task asks often; a thread of low priority must not have the lock that often, which others wait for.
+  if (none_may()) return;
   {
     const std::lock_guard lock(mutex_);
-    if (light.aside >= static_cast<std::size_t>(threads_)) return;
-    ++light.aside;
+    if (none_may()) return;
+    ++it.aside;
     current_->aside = true;
   }
-  light.changed.notify_one();
+  it.changed.notify_one();
 }
 
 void Lanes::wait_until_idle() {

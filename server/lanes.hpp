@@ -1,7 +1,13 @@
 #pragma once
-// Decides who computes and who waits. There are two lanes, light and heavy, each with its own threads and its
-// own bounded queue; the heavy threads have a lower priority, so that they use what light work leaves. They
-// are ours because httplib has one queue, without bound and without priorities.
+// Decides who computes and who waits. There are three lanes, for light, heavy and lengthy work, each with its
+// own threads, its own bounded queue and its own bound on memory. So what takes a tenth of a second never
+// waits for what takes many: where several lanes have work, the operating system shares the cores among their
+// threads. Those of light work go first; heavy and lengthy ones have a lower priority, the same for both, so
+// that neither starves the other. Lanes are ours because httplib has one queue, without bound and without
+// priorities.
+//
+// Within a lane work begins in the order of its coming, as many at a time as there are threads. Running all
+// that comes at once would be fair, too, but then a burst would fail as a whole at its deadline.
 //
 // A queue is bounded by the time until its last entry would begin: the sum of the costs ahead of it, divided
 // by the threads, times the seconds that a unit of cost takes. Each request tells its cost; only the pace is
@@ -14,6 +20,7 @@
 // standing one: Nichols and Jacobson, Controlling queue delay, ACM Queue 10 (2012)).
 
 #include <array>
+#include <atomic>
 #include <chrono>
 #include <condition_variable>
 #include <cstddef>
@@ -25,24 +32,25 @@
 
 namespace qdot::server {
 
-/// Of the threads of heavy work: beside a light one such a thread gets about a tenth of a core, alone all of
-/// it.
+/// Of the threads of heavy and lengthy work: beside a light one such a thread gets about a tenth of a core,
+/// alone all of it.
 inline constexpr int heavy_niceness = 10;
 
-enum class Lane { light, heavy };
-inline constexpr std::array all_lanes{Lane::light, Lane::heavy};
+enum class Lane { light, heavy, lengthy };
+inline constexpr std::array all_lanes{Lane::light, Lane::heavy, Lane::lengthy};
 
 struct LaneLimits {
   double longest_wait{};  ///< seconds that the last entry of the queue may expect to wait
   double burst_wait{};    ///< or it may begin within this many seconds after the lane was idle
   std::size_t waiting{};  ///< entries that the queue may have
+  std::size_t bytes{std::size_t{64} << 20};  ///< that its work may hold at a time
 };
 
 struct LanesOptions {
   int threads{1};  ///< of each lane
   LaneLimits light{.longest_wait = 0.1, .burst_wait = 0.5, .waiting = 1024};
-  LaneLimits heavy{.longest_wait = 1, .burst_wait = 5, .waiting = 1024};
-  std::size_t heavy_bytes{std::size_t{96} << 20};  ///< bytes that heavy work may hold at a time
+  LaneLimits heavy{.longest_wait = 1, .burst_wait = 5, .waiting = 1024, .bytes = std::size_t{32} << 20};
+  LaneLimits lengthy{.longest_wait = 1, .burst_wait = 5, .waiting = 1024};
 };
 
 class Lanes {
@@ -63,8 +71,8 @@ class Lanes {
   /// False when the lane is full; never waits.
   [[nodiscard]] bool submit(Lane lane, Work work);
 
-  /// A task of the light lane calls this when it finds that it is heavy: from now on another task may run
-  /// beside it. At most as many tasks at a time step aside as the lane has threads.
+  /// A task calls this when it finds that it is too long for its lane: from now on another task may run
+  /// beside it. At most `threads` tasks of a lane step aside at a time, and of the lengthy lane none.
   void step_aside();
 
   /// A task calls this just before its answer goes out: nothing waits for it any more. Its client's next
@@ -87,7 +95,8 @@ class Lanes {
     std::deque<Work> queue;
     std::condition_variable changed;
     std::size_t running{0};
-    std::size_t aside{0};  // of those that run, the ones that others need not wait for
+    std::atomic<std::size_t> aside{0};  // of those that run, the ones that others need not wait for
+    std::size_t bytes{0};               // held by what runs
     double running_cost{0}, waiting_cost{0};
     std::chrono::steady_clock::time_point idle{};  // when the lane last had a thread that did nothing
     // Recent work, older work counting less: the pace is their quotient.
@@ -105,11 +114,9 @@ class Lanes {
 
   static thread_local Running* current_;  // the task of this thread
   const int threads_;
-  const std::size_t heavy_bytes_;
   mutable std::mutex mutex_;
-  std::array<State, 2> states_;
+  std::array<State, all_lanes.size()> states_;
   std::condition_variable idle_;
-  std::size_t bytes_{0};  // held by what runs
   bool closed_{false};
   std::vector<std::jthread> workers_;
 };

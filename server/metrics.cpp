@@ -74,13 +74,24 @@ void append_process(std::string& text) {
   append_one(text, "process_cpu_seconds_total", "counter", "CPU time.", cpu_seconds());
 }
 
+std::string_view name_of(Lane lane) {
+  constexpr std::array<std::string_view, all_lanes.size()> names{"light", "heavy", "lengthy"};
+  return names[static_cast<std::size_t>(lane)];
+}
+
+void append_by_lane(std::string& text, std::string_view metric, const Gauges& now,
+                    std::size_t Lanes::Gauges::*count) {
+  for (const Lane lane : all_lanes) {
+    const auto label = "lane=\"" + std::string(name_of(lane)) + "\"";
+    append(text, metric, label, std::to_string(now.lanes[static_cast<std::size_t>(lane)].*count));
+  }
+}
+
 void append_gauges(std::string& text, const Gauges& now) {
   describe(text, "qdot_in_flight", "gauge", "Requests that are being computed.");
-  append(text, "qdot_in_flight", "lane=\"light\"", std::to_string(now.light_running));
-  append(text, "qdot_in_flight", "lane=\"heavy\"", std::to_string(now.heavy_running));
+  append_by_lane(text, "qdot_in_flight", now, &Lanes::Gauges::running);
   describe(text, "qdot_queue_length", "gauge", "Requests that wait to be computed.");
-  append(text, "qdot_queue_length", "lane=\"light\"", std::to_string(now.light_waiting));
-  append(text, "qdot_queue_length", "lane=\"heavy\"", std::to_string(now.heavy_waiting));
+  append_by_lane(text, "qdot_queue_length", now, &Lanes::Gauges::waiting);
   append_one(text, "qdot_connections", "gauge", "Open connections.", static_cast<double>(now.connections));
   append_one(text, "qdot_unsent_bytes", "gauge", "Bytes of answers that clients have not taken yet.",
              static_cast<double>(now.unsent_bytes));

@@ -11,12 +11,13 @@
 #include <string_view>
 #include <tuple>
 
+#include "server/lanes.hpp"
+
 namespace qdot::server {
 
 /// The present state of the server, which is reported beside the counts.
 struct Gauges {
-  std::size_t light_waiting{}, light_running{};
-  std::size_t heavy_waiting{}, heavy_running{};
+  std::array<Lanes::Gauges, all_lanes.size()> lanes{};
   std::size_t connections{};
   std::size_t unsent_bytes{};
   bool draining{};

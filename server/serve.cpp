@@ -100,10 +100,13 @@ void open_standard_streams() {
 }
 
 /// Makes the allocator give memory back after a large answer, and lets threads share what they have freed.
+/// But they must not share too much: where a thread of low priority is stopped while it holds the lock of an
+/// arena, light work that needs this arena waits until the thread goes on. So there is about one for each
+/// thread of the lanes on a small machine.
 void keep_memory_small() {
   ::mallopt(M_MMAP_THRESHOLD, 256 * 1024);
   ::mallopt(M_TRIM_THRESHOLD, 1024 * 1024);
-  ::mallopt(M_ARENA_MAX, 4);
+  ::mallopt(M_ARENA_MAX, 16);
 }
 
 ServeOptions with_defaults(ServeOptions options) {
@@ -113,16 +116,13 @@ ServeOptions with_defaults(ServeOptions options) {
 }
 
 Gauges gauges_of(const Application& application, const Transport& transport) {
-  const auto light = application.lanes().gauges(Lane::light);
-  const auto heavy = application.lanes().gauges(Lane::heavy);
   const auto sockets = transport.gauges();
-  return {.light_waiting = light.waiting,
-          .light_running = light.running,
-          .heavy_waiting = heavy.waiting,
-          .heavy_running = heavy.running,
-          .connections = sockets.connections,
-          .unsent_bytes = sockets.unsent_bytes,
-          .draining = application.draining()};
+  Gauges now{.connections = sockets.connections,
+             .unsent_bytes = sockets.unsent_bytes,
+             .draining = application.draining()};
+  for (const Lane lane : all_lanes)
+    now.lanes[static_cast<std::size_t>(lane)] = application.lanes().gauges(lane);
+  return now;
 }
 
 }  // namespace

@@ -29,7 +29,16 @@ api::Request get(const std::string& target) { return {.method = "GET", .target =
 
 api::Response ok(const api::Request&) { return {.content_type = "application/json", .body = "{}\n"}; }
 
-api::Appraisal light(const api::Request&) { return {.route = "/v1/{name}"}; }
+/// What is asked at these addresses is heavy; all else is light.
+api::Appraisal by_address(const api::Request& request) {
+  api::Appraisal result{.route = "/v1/{name}"};
+  if (request.target == "/v1/lengthy") result.milliseconds = 10000;
+  if (request.target == "/v1/large") result.bytes = std::size_t{50} << 20;
+  if (request.target == "/v1/heavy" || request.target == "/v1/misjudged" || result.bytes > 0)
+    result.milliseconds = 200;
+  if (result.milliseconds > 1) result.weight = api::Weight::heavy;
+  return result;
+}
 
 /// An application with its surroundings.
 struct Running {
@@ -38,7 +47,7 @@ struct Running {
       : log(log_descriptor),
         application(options,
                     {.answer = std::move(answer),
-                     .appraise = light,
+                     .appraise = by_address,
                      .unsent_bytes = [this] { return unsent_bytes.load(); },
                      .overloaded = [this] { ++overloaded; }},
                     log, metrics) {}
@@ -117,6 +126,47 @@ TEST(Application, WhatExceedsTheQueueIsTurnedAwayAndProbesAreNot) {
   slow.released.count_down();
   EXPECT_EQ(first.get().status, 200);
   while (application(get("/v1/energy")).status != 200) std::this_thread::yield();
+}
+
+TEST(Application, HeavyWorkDoesNotWaitForWhatIsLengthyOrLarge) {
+  for (const char* other : {"/v1/lengthy", "/v1/large"}) {
+    std::latch begun{1};
+    std::latch released{1};
+    Running application(
+        [&](const api::Request& request) {
+          if (request.target == other) {
+            begun.count_down();
+            released.wait();
+          }
+          return ok(request);
+        },
+        {.lanes = {.threads = 1, .heavy = {.longest_wait = 0, .waiting = 0, .bytes = std::size_t{1} << 20}}});
+    auto first = application.ask(get(other));
+    begun.wait();
+    EXPECT_EQ(application(get("/v1/heavy")).status, 200) << "beside " << other;
+    EXPECT_EQ(application(get("/v1/energy")).status, 200) << "beside " << other;
+    released.count_down();
+    EXPECT_EQ(first.get().status, 200);
+  }
+}
+
+TEST(Application, WhatWasThoughtTooLightLetsOthersBegin) {
+  std::latch begun{1};
+  std::atomic<bool> other_began{false};
+  Running application(
+      [&](const api::Request& request) {
+        if (request.target == "/v1/heavy") other_began = true;
+        if (request.target == "/v1/misjudged") {
+          begun.count_down();
+          while (!other_began && !request.interrupted()) std::this_thread::yield();
+        }
+        return api::Response{.status = other_began ? 200 : 503};
+      },
+      {.lanes = {.threads = 1}});
+  auto misjudged = application.ask(get("/v1/misjudged"));
+  begun.wait();
+  EXPECT_EQ(application(get("/v1/heavy")).status, 200);
+  EXPECT_EQ(misjudged.get().status, 200) << "it went on until its deadline, and the other waited for it";
 }
 
 TEST(Application, DrainingFinishesWhatComputesAndRefusesTheRest) {

@@ -134,7 +134,7 @@ TEST(Lanes, ThePaceIsMeasured) {
 }
 
 TEST(Lanes, HeavyWorkHoldsBoundedMemory) {
-  Lanes lanes({.threads = 2, .heavy_bytes = 100});
+  Lanes lanes({.threads = 2, .heavy = {.longest_wait = 1, .waiting = 9, .bytes = 100}});
   Occupied first(lanes, Lane::heavy, 80);
   first.wait_until_begun();
   Occupied second(lanes, Lane::heavy, 80);
@@ -142,6 +142,9 @@ TEST(Lanes, HeavyWorkHoldsBoundedMemory) {
   EXPECT_FALSE(second.has_begun());
   Occupied light(lanes, Lane::light);
   light.wait_until_begun();
+  Occupied lengthy(lanes, Lane::lengthy, 80);
+  lengthy.wait_until_begun();
+  lengthy.release();
   first.release();
   second.wait_until_begun();
   second.release();
@@ -167,12 +170,41 @@ TEST(Lanes, WhatIsAboutToAnswerKeepsNobodyOut) {
   EXPECT_EQ(lanes.gauges(Lane::heavy).running, 0u);
 }
 
-TEST(Lanes, WhatStepsAsideKeepsNobodyWaiting) {
-  Lanes lanes({.threads = 1, .light = {.longest_wait = 1e9, .waiting = 100}});
+TEST(Lanes, NoLaneWaitsForAnother) {
+  Lanes lanes({.threads = 2});
+  std::vector<Occupied> occupied;
+  for (const Lane lane : {Lane::lengthy, Lane::heavy, Lane::light}) {
+    for (int i = 0; i < 2; ++i) occupied.emplace_back(lanes, lane).wait_until_begun();
+  }
+  EXPECT_EQ(lanes.gauges(Lane::lengthy).running, 2u);
+  for (Occupied& one : occupied) one.release();
+}
+
+TEST(Lanes, LengthyWorkTakesTurnsSoThatABurstOfItDoesNotFailAsAWhole) {
+  Lanes lanes({.threads = 1});
+  const auto occupy = [&] { return Occupied(lanes, Lane::lengthy); };
+  Occupied first = occupy();
+  first.wait_until_begun();
+  std::latch tried{1};
+  Occupied second = occupy();
+  EXPECT_TRUE(lanes.submit(Lane::heavy, {.task = [&] { tried.count_down(); }}));
+  tried.wait();
+  EXPECT_FALSE(second.has_begun());
+  first.release();
+  second.wait_until_begun();
+  second.release();
+}
+
+class WhereTasksMayStepAside : public testing::TestWithParam<Lane> {};
+INSTANTIATE_TEST_SUITE_P(Lanes, WhereTasksMayStepAside, testing::Values(Lane::light, Lane::heavy));
+
+TEST_P(WhereTasksMayStepAside, WhatStepsAsideKeepsNobodyWaiting) {
+  constexpr LaneLimits patient{.longest_wait = 1e9, .waiting = 100};
+  Lanes lanes({.threads = 1, .light = patient, .heavy = patient});
   std::latch aside{2};
   std::latch released{1};
   for (int i = 0; i < 2; ++i) {
-    EXPECT_TRUE(lanes.submit(Lane::light, {.task = [&] {
+    EXPECT_TRUE(lanes.submit(GetParam(), {.task = [&] {
                                lanes.step_aside();
                                lanes.step_aside();
                                aside.count_down();
@@ -180,14 +212,14 @@ TEST(Lanes, WhatStepsAsideKeepsNobodyWaiting) {
                              }}));
   }
   std::atomic<bool> third_began{false};
-  EXPECT_TRUE(lanes.submit(Lane::light, {.task = [&] { third_began = true; }}));
+  EXPECT_TRUE(lanes.submit(GetParam(), {.task = [&] { third_began = true; }}));
   aside.wait();  // the second runs beside the first
   std::this_thread::sleep_for(20ms);
   EXPECT_FALSE(third_began) << "one at a time may step aside where there is one thread";
   released.count_down();
   lanes.wait_until_idle();
   EXPECT_TRUE(third_began);
-  EXPECT_EQ(lanes.gauges(Lane::light).running, 0u);
+  EXPECT_EQ(lanes.gauges(GetParam()).running, 0u);
 }
 
 TEST(Lanes, WorkOfManyThreadsIsDoneOnceEach) {

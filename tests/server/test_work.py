@@ -13,6 +13,11 @@ ENDLESS = list(hostile_inputs.endless())
 DEADLINE = ("--deadline", "2") if SANITIZED else ()
 
 
+def sweep(rows, t_end):
+    return hostile_inputs.ask("/v1/sweep", ask={"simulate": {"system": "spring_pendulum", "t_end": t_end, "samples": 2}},
+                              vary={"k": {"from": 30, "to": 50, "count": rows}}, collect={"l": "/trajectory/l/1"})
+
+
 class Work(unittest.TestCase):
     @classmethod
     def setUpClass(cls):
@@ -65,6 +70,14 @@ class Work(unittest.TestCase):
                 took = [seconds for seconds in took if seconds is not None]
                 self.assertLess(max(took), 5 if SANITIZED else 0.5)
                 print(f"{name}: free {max(took):.3f} s after its client left")
+
+    def test_a_small_sweep_does_not_wait_for_a_long_one(self):
+        with wire.connect(self.server.port) as sock:
+            sock.sendall(sweep(rows=10000, t_end=2000))  # far more than the deadline allows
+            self.wait_until_running(1)
+            self.assertEqual(wire.exchange(self.server.port, sweep(rows=50, t_end=10)).status, 200)
+            self.assertGreater(self.running(), 0)
+        self.wait_until_running(0)
 
     def test_who_asks_one_after_another_is_never_refused(self):
         for _ in range(4):  # each of more than a second, the longest that one may wait for another
