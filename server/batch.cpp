@@ -100,9 +100,13 @@ std::string id_of(const InputLine& line) {
 }
 
 /// All that could be refused has been looked at when the file is changed.
-std::optional<InputLine> begin(BatchOutput& output, LineReader& lines, BatchProgress& progress) {
+std::optional<InputLine> begin(BatchOutput& output, LineReader& lines, BatchProgress& progress,
+                               const std::function<std::string(const InputLine&)>& answer) {
   Resumed found;
   if (auto answers = output.answers(beginning_of_answer)) found = resumed(*answers, lines, id_of);
+  if (found.last && !output.ends_with(answer(*found.last), found.answer_bytes))
+    throw UsageError("the answer to line " + std::to_string(found.lines) +
+                     " is another now: the lines were changed, or these are answers of another version");
   progress.skip(found.lines, found.line_bytes);
   output.begin(found.answer_bytes);
   return std::move(found.next);
@@ -126,17 +130,17 @@ ExitCode run_batch(const BatchOptions& options) {
   BatchProgress progress(size_of(input.get()), output.is_terminal());
   end_on_signal(output, progress, !options.output.empty());
   LineReader reader(input.get(), api::longest_batch_line());
-  auto line = begin(output, reader, progress);
-  if (!line) line = reader.next();
   const api::Work bounds = options.bounded ? api::Work::bounded : api::Work::unbounded;
-  OrderedWork work(
-      threads_of(options), [&](const InputLine& line) { return answer_to(line, service, bounds); },
-      [&](const OrderedWork::Piece& piece) {
-        output.write(piece.text);
-        progress.add(piece.lines, piece.input_bytes);
-      });
+  const auto answer = [&](const InputLine& line) { return answer_to(line, service, bounds); };
+  auto line = begin(output, reader, progress, answer);
+  if (!line) line = reader.next();
+  OrderedWork work(threads_of(options), answer, [&](const OrderedWork::Piece& piece) {
+    output.write(piece.text);
+    progress.add(piece.lines, piece.input_bytes);
+  });
   for (; line; line = reader.next()) work.add(std::move(*line));
   work.finish();
+  output.finish();
   return ExitCode::ok;
 }
 

@@ -54,6 +54,13 @@ std::optional<LineReader> BatchOutput::answers(std::size_t longest) const {
 
 bool BatchOutput::is_terminal() const { return ::isatty(descriptor_) != 0; }
 
+bool BatchOutput::ends_with(std::string_view text, std::uint64_t kept) const {
+  std::string there(text.size(), ' ');
+  const auto from = static_cast<off_t>(kept) - static_cast<off_t>(text.size());
+  const auto count = from < 0 ? 0 : ::pread(descriptor_, there.data(), there.size(), from);
+  return count == static_cast<ssize_t>(text.size()) && there == text;
+}
+
 void BatchOutput::begin(std::uint64_t kept) {
   const auto end = static_cast<off_t>(kept);
   if (can_be_cut_ && (::ftruncate(descriptor_, end) != 0 || ::lseek(descriptor_, end, SEEK_SET) < 0))
@@ -68,6 +75,10 @@ void BatchOutput::write(std::string_view text) {
     if (count < 0) refuse_to_lose("the answers");
     text.remove_prefix(static_cast<std::size_t>(count));
   }
+}
+
+void BatchOutput::finish() {
+  if (can_be_cut_ && ::fsync(descriptor_) != 0) refuse_to_lose("the answers");
 }
 
 void BatchOutput::close() {

@@ -24,6 +24,9 @@ class BatchOutput {
   /// The answers that are there already; nothing where the batch begins anew.
   [[nodiscard]] std::optional<LineReader> answers(std::size_t longest) const;
 
+  /// Whether the first `kept` bytes end with this text.
+  [[nodiscard]] bool ends_with(std::string_view text, std::uint64_t kept) const;
+
   /// Cuts what is there behind so many bytes, which are kept; lines are written from there on.
   void begin(std::uint64_t kept);
 
@@ -31,6 +34,9 @@ class BatchOutput {
 
   /// Writes whole lines. Throws std::system_error.
   void write(std::string_view text);
+
+  /// All of it is on the disk: a quota or a disk that is full may be told only then. Throws CannotWrite.
+  void finish();
 
   /// Waits a moment for the line that is being written; nothing is written after it.
   void close();

@@ -122,7 +122,7 @@ void add_batch(CLI::App& app, BatchOptions& options, Action& action) {
   command.add_option("--output", options.output, "File for the answers instead of stdout");
   command.add_flag(
       "--resume", options.resume,
-      "Go on behind the answers that the output has already; of the lines nothing but their ids is compared");
+      "Go on behind the answers that the output has already; the ids of the lines are compared, and the last answer");
   add_scenes(command, options.scenes);
   add_bounded(command, options.bounded);
   command.footer([] { return help_on_lines(); });

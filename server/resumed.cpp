@@ -44,6 +44,7 @@ Resumed resumed(LineReader& answers, LineReader& lines,
     ++found.lines;
     found.line_bytes += line->bytes;
     found.answer_bytes += answer->bytes;
+    found.last = std::move(line);
     answer = std::move(behind);
   }
   return found;

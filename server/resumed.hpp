@@ -3,8 +3,8 @@
 // else is taken for them, so that no other file is written over and no answers to other lines are gone on
 // with.
 //
-// What an answer tells of its line is its id. A line that was changed under the same id is not noticed; nor
-// is any where lines have no ids.
+// What an answer tells of its line is its id, and that of the last one is computed again. So lines that were
+// all changed are noticed under the same ids, or without any; a single one may not be.
 
 #include <cstdint>
 #include <functional>
@@ -22,6 +22,7 @@ struct Resumed {
   std::uint64_t lines{0};           ///< that are answered
   std::uint64_t line_bytes{0};      ///< of the input in them
   std::uint64_t answer_bytes{0};    ///< of their answers, which are kept
+  std::optional<InputLine> last{};  ///< that is answered
   std::optional<InputLine> next{};  ///< was read, and is to be answered first
 };
 

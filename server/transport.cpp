@@ -252,8 +252,7 @@ struct Transport::Impl {
     for (auto entry = entries_.begin(); entry != entries_.end();) {
       const auto here = entry++;
       const State state = here->second.connection.state();
-      if (state == State::waiting || (late && state != State::answering))
-        here->second.connection.close();
+      if (state == State::waiting || (late && state != State::answering)) here->second.connection.close();
       settle(here);
     }
   }

@@ -1,11 +1,13 @@
 """Answers a file of requests with Dask's workers, here or of a cluster: python3 dask_batch.py requests.ndjson answers.ndjson
 
 Each task asks the program for a slice of the lines, and the answers come back in the order of the requests. Dask gives the
-task of a worker that is lost to another.
+task of a worker that is lost to another, and one that failed, as where memory ran out, is tried again. The answers take
+their file's place when all are there.
 """
 
 import argparse
 import itertools
+import os
 import subprocess
 
 from distributed import Client, LocalCluster
@@ -30,11 +32,13 @@ def main():
     parser.add_argument("--slice", type=int, default=1000, help="lines of a task")
     options = parser.parse_args()
     cluster = options.scheduler or LocalCluster(threads_per_worker=1, dashboard_address=None)
-    with Client(cluster) as client, open(options.requests, "rb") as requests, open(options.answers, "wb") as answers:
+    part = options.answers + ".part"
+    with Client(cluster) as client, open(options.requests, "rb") as requests, open(part, "wb") as answers:
         slices = list(slices_of(requests, options.slice))
         # pure=False: two slices of the same lines are two tasks.
-        for answer in client.gather(client.map(answers_to, slices, program=options.program, pure=False)):
+        for answer in client.gather(client.map(answers_to, slices, program=options.program, pure=False, retries=3)):
             answers.write(answer)
+    os.replace(part, options.answers)
     if options.scheduler is None:
         cluster.close()
 

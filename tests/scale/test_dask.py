@@ -1,7 +1,9 @@
 """Dask spreads a file of requests over its workers, one of which is killed: the answers have one machine's bytes."""
 
+import os
 import pathlib
 import shutil
+import signal
 import subprocess
 import sys
 import tempfile
@@ -48,27 +50,34 @@ class Dask(unittest.TestCase):
         self.assertEqual(self.program().wait(120), 0)
         self.assert_all_answered()
 
-    def test_a_worker_is_killed_and_nothing_lost(self):
+    def test_a_worker_or_a_task_is_killed_and_nothing_lost(self):
         port, = free_ports(1)
         address = f"tcp://127.0.0.1:{port}"
         self.start("dask-scheduler", "--host", "127.0.0.1", "--port", str(port), "--no-dashboard")
         workers = [self.start("dask-worker", address, "--no-nanny", "--nthreads", "1", "--no-dashboard",
                               "--local-directory", str(self.home / name)) for name in ("one", "two")]
         program = self.program("--scheduler", address)
-        self.assertTrue(self.has_children(workers[0]), "no task came to the first worker")
+        os.kill(self.task_of(workers[1]), signal.SIGKILL)
+        self.task_of(workers[0])
         workers[0].kill()
         self.assertIsNone(program.poll())
         self.assertEqual(program.wait(120), 0)
         self.assert_all_answered()
 
-    def has_children(self, process):
-        """A task is a process of the program below the worker."""
+    def test_what_fails_leaves_the_answers_of_before(self):
+        (self.home / "answers.ndjson").write_bytes(b"before")
+        self.assertNotEqual(self.program("--program", "no_such_program").wait(120), 0)
+        self.assertEqual((self.home / "answers.ndjson").read_bytes(), b"before")
+
+    def task_of(self, worker):
+        """A process of the program below the worker."""
         end = time.monotonic() + 60
         while time.monotonic() < end:
-            if subprocess.run(["pgrep", "-P", str(process.pid), "qdot"], stdout=subprocess.DEVNULL, check=False).returncode == 0:
-                return True
+            found = subprocess.run(["pgrep", "-P", str(worker.pid), "qdot"], stdout=subprocess.PIPE, check=False).stdout.split()
+            if found:
+                return int(found[0])
             time.sleep(0.01)
-        return False
+        return self.fail("no task came to a worker")
 
 
 if __name__ == "__main__":

@@ -29,6 +29,16 @@ class Resume(Batch):
             self.assertIn(f"line {number + 1} has another id", self.refused(turned, target))
         self.assertIn("more of them than lines, of which there are 3", self.refused(lines(3), target))
 
+    def test_lines_that_were_all_changed_are_noticed_under_the_same_ids(self):
+        bare = "".join(json.dumps({"energy": {"system": "spring_pendulum", "parameters": {"k": k}}}) + "\n" for k in range(1, 6))
+        for text, change in ((lines(5), ('"system"', '"digits": 5, "system"')), (bare, ('"k"', '"m"'))):
+            target, changed = self.path("out"), text.replace(*change)
+            self.assertNotEqual(changed, text)
+            for answered in (1, 3, 5):
+                with self.subTest(change=change, answered=answered):
+                    qdot("batch", self.path("in", "".join(text.splitlines(keepends=True)[:answered])), "--output", target)
+                    self.assertIn(f"line {answered} is another now", self.refused(changed, target))
+
     def test_files_that_no_batch_has_written_are_left_alone(self):
         for text in ("my only line", "my first line\nmy second", '{"title": "mine"}', '{"id": 0, "status": 3}',
                      '{"id":0,"modes":{}', '{"id":1,"sta', "[", "\n", "\n{", "\0"):
