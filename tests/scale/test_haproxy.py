@@ -154,7 +154,7 @@ class HaProxy(unittest.TestCase):
             connection.request("GET", "/metrics", headers={"Host": f"localhost:{self.front}"})
             texts.append(connection.getresponse().read().decode())
             connection.close()
-        return sum(int(number) for text in texts for number in re.findall(r'qdot_in_flight{lane="heavy"} (\d+)', text))
+        return sum(int(number) for text in texts for number in re.findall(r'qdot_in_flight{lane="(?:heavy|lengthy)"} (\d+)', text))
 
     def test_what_nobody_waits_for_ends(self):
         lines = "".join(json.dumps({"simulate": dict(LONG[0][1], parameters={"k": k})}) + "\n" for k in range(1, 601))

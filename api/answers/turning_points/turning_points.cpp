@@ -204,9 +204,10 @@ class TurningPointsAnswer {
 
   /// Or why it does not.
   std::string answer_by_energy() {
-    const BesideExtrema beside{.period = wants(call_, "period") || wants(call_, "error") || wants(call_, "exact"),
-                               .along = wants(call_, "validity") || wants(call_, "notes"),
-                               .impacts = request_.impacts};
+    const BesideExtrema beside{
+        .period = wants(call_, "period") || wants(call_, "error") || wants(call_, "exact"),
+        .along = wants(call_, "validity") || wants(call_, "notes"),
+        .impacts = request_.impacts};
     const TurningPoints found = turning_points(dynamics(), system_.state.parameters, system_.state.y, beside);
     if (!found.impact.empty())
       return "the motion comes to the impact '" + found.impact +

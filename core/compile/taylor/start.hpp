@@ -33,9 +33,9 @@ struct TaylorStart {
   };
 
   std::vector<std::pair<Slot, Number*>> rows;  ///< of slots, where they are used
-  /// Steps whose first coefficient the numbers give by which they have the others, instead of a slot: sums and
-  /// linear systems in which constants were put together. Rounded otherwise, 1 part in 1e16 for ever the same,
-  /// coefficients 0 and the rest would belong to two motions, and the energy would drift.
+  /// Steps whose first coefficient the numbers give by which they have the others, instead of a slot: sums
+  /// and linear systems in which constants were put together. Rounded otherwise, 1 part in 1e16 for ever the
+  /// same, coefficients 0 and the rest would belong to two motions, and the energy would drift.
   std::vector<std::size_t> put_together;
   Number* time{};
   std::vector<taylor::BasicProduct<Number>*> products;
