@@ -4,6 +4,7 @@
 #include <array>
 #include <cctype>
 #include <cstdio>
+#include <mutex>
 #include <new>
 #include <random>
 #include <string_view>
@@ -21,19 +22,6 @@ using api::ProblemKind;
 using Milliseconds = std::chrono::duration<double, std::milli>;
 
 constexpr double lengthy = 1500;  // milliseconds of one core; work that costs more has a lane of its own
-
-/// Work that takes longer was thought too light for its lane.
-Clock::duration longest_in(Lane lane) {
-  switch (lane) {
-    case Lane::light:
-      return std::chrono::milliseconds(50);
-    case Lane::heavy:
-      return std::chrono::milliseconds(500);
-    case Lane::lengthy:
-      break;
-  }
-  return Clock::duration::max() / 2;
-}
 
 /// What needs more memory than heavy work may have together waits with lengthy work, so that it holds up no
 /// small one.
@@ -185,15 +173,19 @@ Follow Application::follow(const Case& it) const { return draining_ ? Follow::cl
 
 void Application::compute(Case& it) {
   const auto deadline = it.exchange->arrived + options_.deadline;
-  const auto too_long = Clock::now() + longest_in(it.lane);
-  const auto over = [this, &exchange = *it.exchange, deadline, too_long] {
+  const auto given_up = [this, &exchange = *it.exchange, deadline] {
     const auto now = Clock::now();
-    if (now > too_long) lanes_.step_aside();
     return exchange.abandoned() || now > deadline || now.time_since_epoch().count() > drained_by_;
+  };
+  std::mutex going_on;  // while its thread waits for a turn in another lane, so do those that help
+  const auto over = [this, &given_up, &going_on] {
+    const std::lock_guard lock(going_on);
+    lanes_.make_room(given_up);
+    return given_up();
   };
   try {
     it.waited = Milliseconds(Clock::now() - it.exchange->arrived).count();
-    if (over()) return finish(it, it.problem(ProblemKind::deadline));
+    if (given_up()) return finish(it, it.problem(ProblemKind::deadline));
     // While it waited, answers before it may have piled up at clients who do not read.
     if (!has_room()) return shed(it);
     it.request->interrupted = over;
@@ -223,7 +215,7 @@ void Application::finish(Case& it, api::Response response) {
 
 void Application::send(Case& it, const Sent& sent, Outgoing outgoing) {
   record(it, sent, outgoing.body().size());
-  lanes_.make_way();
+  lanes_.make_way(sent.status == 503 ? Lanes::Outcome::given_up : Lanes::Outcome::computed);
   it.exchange->answer(std::move(outgoing));
 }
 

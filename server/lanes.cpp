@@ -1,11 +1,10 @@
 #include "server/lanes.hpp"
 
-#include <sys/resource.h>
-#include <unistd.h>
-
 #include <algorithm>
-#include <chrono>
+#include <exception>
 #include <utility>
+
+#include "server/running_task.hpp"
 
 namespace qdot::server {
 namespace {
@@ -16,21 +15,13 @@ constexpr double memory = 0.95;        // the weight that the past keeps after e
 
 }  // namespace
 
-struct Lanes::Running {
-  Lane lane;
-  double cost;
-  std::chrono::steady_clock::time_point begun{std::chrono::steady_clock::now()};
-  bool aside{false};
-  bool done{false};
-};
-
 thread_local Lanes::Running* Lanes::current_ = nullptr;
 
 double Lanes::State::expected_wait(int threads) const {
   return (waiting_cost + running_cost) / threads * (recent_seconds / recent_cost);
 }
 
-double Lanes::State::longest_wait(std::chrono::steady_clock::time_point now) const {
+double Lanes::State::longest_wait(Steady::time_point now) const {
   const std::chrono::duration<double> busy = now - idle;
   return std::max(limits.burst_wait - busy.count(), limits.longest_wait);
 }
@@ -44,13 +35,12 @@ Lanes::Lanes(const LanesOptions& options) : threads_(options.threads) {
     lane.recent_seconds = assumed_cost * assumed_pace;
   }
   for (const Lane lane : all_lanes) {
-    // Where tasks may step aside there are spare threads, for those that then begin beside them.
-    const int count = lane == Lane::lengthy ? threads_ : 2 * threads_;
-    for (int i = 0; i < count; ++i) workers_.emplace_back([this, lane] { work(lane); });
+    for (int i = 0; i < threads_; ++i) workers_.emplace_back([this, lane] { work(lane); });
   }
 }
 
 Lanes::~Lanes() {
+  wait_until_idle();  // from then on nothing changes lanes
   {
     const std::lock_guard lock(mutex_);
     closed_ = true;
@@ -58,50 +48,71 @@ Lanes::~Lanes() {
   for (State& lane : states_) lane.changed.notify_all();
 }
 
+bool Lanes::is_free(const State& lane) const {
+  return lane.running - lane.aside < static_cast<std::size_t>(threads_);
+}
+
 bool Lanes::submit(Lane lane, Work work) {
   State& it = state(lane);
-  {
-    const std::lock_guard lock(mutex_);
-    const bool free = it.queue.empty() && it.running - it.aside < static_cast<std::size_t>(threads_);
-    const auto now = std::chrono::steady_clock::now();
-    if (free) it.idle = now;
-    if (!free &&
-        (it.queue.size() >= it.limits.waiting || it.expected_wait(threads_) > it.longest_wait(now))) {
-      return false;
-    }
-    it.waiting_cost += work.cost;
-    it.queue.push_back(std::move(work));
-  }
-  it.changed.notify_one();
+  const std::lock_guard lock(mutex_);
+  const auto now = Steady::now();
+  const bool waits = !it.queue.empty() || !is_free(it);
+  if (waits && (it.queue.size() >= it.limits.waiting || it.expected_wait(threads_) > it.longest_wait(now)))
+    return false;
+  enqueue(it, std::move(work));
   return true;
+}
+
+void Lanes::enqueue(State& lane, Work work) {
+  if (lane.queue.empty() && is_free(lane)) lane.idle = Steady::now();
+  lane.waiting_cost += work.cost;
+  lane.queue.push_back(std::move(work));
+  lane.changed.notify_one();
 }
 
 // If nothing of a lane runs, something may always begin: the bound on memory must not stop the only task that
 // asks for it.
-bool Lanes::next_may_begin(Lane lane) const {
-  const State& it = state(lane);
-  if (it.queue.empty() || it.running - it.aside >= static_cast<std::size_t>(threads_)) return false;
-  const std::size_t wanted = it.queue.front().bytes;
-  return wanted == 0 || it.bytes == 0 || it.bytes + wanted <= it.limits.bytes;
+bool Lanes::next_may_begin(const State& lane) const {
+  if (lane.queue.empty() || !is_free(lane)) return false;
+  const std::size_t wanted = lane.queue.front().bytes;
+  return wanted == 0 || lane.bytes == 0 || lane.bytes + wanted <= lane.limits.bytes;
+}
+
+/// False where no thread can be had.
+bool Lanes::add_worker(Lane lane) {
+  retired_.clear();
+  try {
+    workers_.emplace_back([this, lane] { work(lane); });
+    return true;
+  } catch (const std::exception&) {
+    return false;
+  }
 }
 
 void Lanes::work(Lane lane) {
-  // On Linux each thread has its own niceness.
-  if (lane != Lane::light) ::setpriority(PRIO_PROCESS, static_cast<id_t>(::gettid()), heavy_niceness);
+  if (lane != Lane::light) lower_priority();
   State& it = state(lane);
   std::unique_lock lock(mutex_);
   for (;;) {
-    it.changed.wait(lock, [&] { return next_may_begin(lane) || (closed_ && it.queue.empty()); });
+    it.changed.wait(lock, [&] { return next_may_begin(it) || (closed_ && it.queue.empty()); });
     if (it.queue.empty()) {
       it.changed.notify_all();  // the other threads wait for this queue to be empty, too
       return;
     }
-    begin(lane, lock);
-    if (it.queue.empty() && it.running == 0) idle_.notify_all();
+    const bool goes_on = begin(lane, lock);
+    if (it.is_idle()) idle_.notify_all();
+    if (!goes_on) return retire();
   }
 }
 
-void Lanes::begin(Lane lane, std::unique_lock<std::mutex>& lock) {
+/// Another thread is there instead of this one.
+void Lanes::retire() {
+  const auto self = std::ranges::find(workers_, std::this_thread::get_id(), &std::jthread::get_id);
+  retired_.splice(retired_.end(), workers_, self);
+}
+
+/// False where another thread has taken this one's place.
+bool Lanes::begin(Lane lane, std::unique_lock<std::mutex>& lock) {
   State& it = state(lane);
   Work work = std::move(it.queue.front());
   it.queue.pop_front();
@@ -110,56 +121,53 @@ void Lanes::begin(Lane lane, std::unique_lock<std::mutex>& lock) {
   ++it.running;
   it.bytes += work.bytes;
   lock.unlock();
-  Running running{.lane = lane, .cost = work.cost};
+  Running running{.lane = lane, .cost = work.cost, .bytes = work.bytes, .tells_pace = !work.lends_its_turn};
   current_ = &running;
   work.task();
   work.task = nullptr;  // gives back what it held before the next one begins
   current_ = nullptr;
   lock.lock();
-  it.bytes -= work.bytes;
-  count_done(running);
-  --it.aside;
-  if (--it.running == 0) it.running_cost = 0;
-  if (work.bytes > 0) it.changed.notify_all();  // there is memory for others now
+  end(running);
+  return !running.is_replaced;
 }
 
-void Lanes::count_done(Running& task) {
+void Lanes::end(Running& task) {
+  State& it = state(task.lane);
+  if (task.turn) {
+    --it.elsewhere;
+    return give_back(*task.turn);
+  }
+  it.bytes -= task.bytes;
+  count_done(task, Outcome::computed);
+  --it.aside;
+  if (--it.running == 0) it.running_cost = 0;
+  if (task.bytes > 0) it.changed.notify_all();  // there is memory for others now
+}
+
+void Lanes::count_done(Running& task, Outcome outcome) {
   if (std::exchange(task.done, true)) return;
   State& it = state(task.lane);
   it.running_cost -= task.cost;
   if (task.aside) return;  // its time says nothing about the pace of the others
   ++it.aside;
-  const std::chrono::duration<double> took = std::chrono::steady_clock::now() - task.begun;
-  it.recent_seconds = memory * it.recent_seconds + took.count();
+  const double took = seconds_since(task.begun);
+  const bool is_part = outcome == Outcome::given_up && took * it.recent_cost < task.cost * it.recent_seconds;
+  if (!task.tells_pace || is_part) return;
+  it.recent_seconds = memory * it.recent_seconds + took;
   it.recent_cost = memory * it.recent_cost + task.cost;
 }
 
-void Lanes::make_way() {
+void Lanes::make_way(Outcome outcome) {
   if (current_ == nullptr) return;
   const std::lock_guard lock(mutex_);
-  count_done(*current_);
-}
-
-void Lanes::step_aside() {
-  if (current_ == nullptr || current_->lane == Lane::lengthy || current_->aside || current_->done) return;
-  State& it = state(current_->lane);
-  const auto none_may = [&] { return it.aside >= static_cast<std::size_t>(threads_); };
-  // A task asks often; a thread of low priority must not have the lock that often, which others wait for.
-  if (none_may()) return;
-  {
-    const std::lock_guard lock(mutex_);
-    if (none_may()) return;
-    ++it.aside;
-    current_->aside = true;
-  }
-  it.changed.notify_one();
+  if (Running* const task = current_->place()) count_done(*task, outcome);
 }
 
 void Lanes::wait_until_idle() {
   std::unique_lock lock(mutex_);
   idle_.wait(lock, [this] {
     for (const State& lane : states_) {
-      if (!lane.queue.empty() || lane.running > 0) return false;
+      if (!lane.is_idle()) return false;
     }
     return true;
   });
@@ -167,7 +175,8 @@ void Lanes::wait_until_idle() {
 
 Lanes::Gauges Lanes::gauges(Lane lane) const {
   const std::lock_guard lock(mutex_);
-  return {.waiting = state(lane).queue.size(), .running = state(lane).running};
+  const State& it = state(lane);
+  return {.waiting = it.queue.size(), .running = it.running};
 }
 
 }  // namespace qdot::server

@@ -13,6 +13,11 @@
 // by the threads, times the seconds that a unit of cost takes. Each request tells its cost; only the pace is
 // measured.
 //
+// A cost is only thought, and may be wrong a hundredfold. What has taken longer than its lane is for lets
+// another task run beside it. When too many do so, and when it was far from what it was thought to be, it
+// waits in the next lane's queue like any other work there, in the middle of what it does (as in the
+// multilevel feedback queues of operating systems).
+//
 // A burst is no overload: what comes all at once to a lane that was idle may wait longer, because nothing
 // need follow it. It may wait as long as the lane can be done with all of it in a given time after it was
 // idle. So an offer that does not end fills that time once, and not again while it passes: from then on the
@@ -26,9 +31,10 @@
 #include <cstddef>
 #include <deque>
 #include <functional>
+#include <list>
+#include <memory>
 #include <mutex>
 #include <thread>
-#include <vector>
 
 namespace qdot::server {
 
@@ -44,12 +50,18 @@ struct LaneLimits {
   double burst_wait{};    ///< or it may begin within this many seconds after the lane was idle
   std::size_t waiting{};  ///< entries that the queue may have
   std::size_t bytes{std::size_t{64} << 20};  ///< that its work may hold at a time
+  double longest_task{};  ///< seconds of a processor, after which a task makes room for others
 };
 
 struct LanesOptions {
-  int threads{1};  ///< of each lane
-  LaneLimits light{.longest_wait = 0.1, .burst_wait = 0.5, .waiting = 1024};
-  LaneLimits heavy{.longest_wait = 1, .burst_wait = 5, .waiting = 1024, .bytes = std::size_t{32} << 20};
+  int threads{
+      1};  ///< of each lane; what steps aside or changes lanes keeps its thread, and another takes its place
+  LaneLimits light{.longest_wait = 0.1, .burst_wait = 0.5, .waiting = 1024, .longest_task = 0.05};
+  LaneLimits heavy{.longest_wait = 1,
+                   .burst_wait = 5,
+                   .waiting = 1024,
+                   .bytes = std::size_t{32} << 20,
+                   .longest_task = 0.5};
   LaneLimits lengthy{.longest_wait = 1, .burst_wait = 5, .waiting = 1024};
 };
 
@@ -57,9 +69,10 @@ class Lanes {
  public:
   using Task = std::function<void()>;
   struct Work {
-    double cost{1};        ///< in milliseconds, roughly
-    std::size_t bytes{0};  ///< bytes that it will hold
-    Task task;             ///< must not throw
+    double cost{1};              ///< in milliseconds, roughly
+    std::size_t bytes{0};        ///< bytes that it will hold
+    Task task;                   ///< must not throw
+    bool lends_its_turn{false};  ///< to a task that has begun in another lane: its time tells no pace
   };
 
   explicit Lanes(const LanesOptions& options);
@@ -71,13 +84,15 @@ class Lanes {
   /// False when the lane is full; never waits.
   [[nodiscard]] bool submit(Lane lane, Work work);
 
-  /// A task calls this when it finds that it is too long for its lane: from now on another task may run
-  /// beside it. At most `threads` tasks of a lane step aside at a time, and of the lengthy lane none.
-  void step_aside();
+  /// A task calls this now and then. If it has run too long for its lane, another may run beside it from now
+  /// on: at most `threads` tasks of a lane step aside at a time, and of the lengthy lane none. If it is far
+  /// longer than its cost, too, this waits until its turn in the next lane has come, or until it is given up.
+  void make_room(const std::function<bool()>& given_up);
 
   /// A task calls this just before its answer goes out: nothing waits for it any more. Its client's next
-  /// request may come before this thread runs again.
-  void make_way();
+  /// request may come before this thread runs again. What was given up tells no pace.
+  enum class Outcome { computed, given_up };
+  void make_way(Outcome outcome = Outcome::computed);
 
   /// Returns when nothing runs and nothing waits.
   void wait_until_idle();
@@ -90,35 +105,50 @@ class Lanes {
 
  private:
   struct Running;
+  struct Turn;
   struct State {
     LaneLimits limits;
     std::deque<Work> queue;
     std::condition_variable changed;
     std::size_t running{0};
     std::atomic<std::size_t> aside{0};  // of those that run, the ones that others need not wait for
+    std::size_t elsewhere{0};           // tasks that have changed to another lane, and their threads
     std::size_t bytes{0};               // held by what runs
     double running_cost{0}, waiting_cost{0};
     std::chrono::steady_clock::time_point idle{};  // when the lane last had a thread that did nothing
     // Recent work, older work counting less: the pace is their quotient.
     double recent_seconds{0}, recent_cost{0};
+    [[nodiscard]] bool is_idle() const { return queue.empty() && running == 0 && elsewhere == 0; }
     [[nodiscard]] double expected_wait(int threads) const;
     [[nodiscard]] double longest_wait(std::chrono::steady_clock::time_point now) const;
   };
 
+  [[nodiscard]] bool add_worker(Lane lane);
   void work(Lane lane);
-  void begin(Lane lane, std::unique_lock<std::mutex>& lock);
-  void count_done(Running& task);
-  [[nodiscard]] bool next_may_begin(Lane lane) const;
+  void retire();
+  [[nodiscard]] bool begin(Lane lane, std::unique_lock<std::mutex>& lock);
+  void end(Running& task);
+  void enqueue(State& lane, Work work);
+  void count_done(Running& task, Outcome outcome);
+  [[nodiscard]] bool none_may_step_aside(const State& lane) const;
+  [[nodiscard]] bool step_aside(Running& task);
+  [[nodiscard]] std::shared_ptr<Turn> leave(Running& task, double milliseconds);
+  void change_lane(Running& task, double milliseconds, const std::function<bool()>& given_up);
+  void lend(Turn& turn);
+  static void give_back(Turn& turn);
+  [[nodiscard]] bool is_free(const State& lane) const;
+  [[nodiscard]] bool next_may_begin(const State& lane) const;
   State& state(Lane lane) { return states_[static_cast<std::size_t>(lane)]; }
   [[nodiscard]] const State& state(Lane lane) const { return states_[static_cast<std::size_t>(lane)]; }
 
-  static thread_local Running* current_;  // the task of this thread
+  static thread_local Running* current_;  // the task of this thread, as it began
   const int threads_;
   mutable std::mutex mutex_;
   std::array<State, all_lanes.size()> states_;
   std::condition_variable idle_;
   bool closed_{false};
-  std::vector<std::jthread> workers_;
+  std::size_t turns_waited_for_{0};
+  std::list<std::jthread> retired_, workers_;
 };
 
 }  // namespace qdot::server

@@ -4,11 +4,14 @@
 
 #include <atomic>
 #include <chrono>
+#include <ctime>
+#include <functional>
 #include <latch>
 #include <memory>
 #include <mutex>
 #include <semaphore>
 #include <thread>
+#include <utility>
 #include <vector>
 
 namespace qdot::server {
@@ -195,21 +198,26 @@ TEST(Lanes, LengthyWorkTakesTurnsSoThatABurstOfItDoesNotFailAsAWhole) {
   second.release();
 }
 
+constexpr LaneLimits patient{.longest_wait = 1e9, .waiting = 100};
+constexpr LaneLimits hasty{.longest_wait = 1e9, .waiting = 100, .longest_task = 0};
+constexpr double as_thought = 1e9;  // so costly that it does not take longer
+
+bool never() { return false; }
+
 class WhereTasksMayStepAside : public testing::TestWithParam<Lane> {};
 INSTANTIATE_TEST_SUITE_P(Lanes, WhereTasksMayStepAside, testing::Values(Lane::light, Lane::heavy));
 
 TEST_P(WhereTasksMayStepAside, WhatStepsAsideKeepsNobodyWaiting) {
-  constexpr LaneLimits patient{.longest_wait = 1e9, .waiting = 100};
-  Lanes lanes({.threads = 1, .light = patient, .heavy = patient});
+  Lanes lanes({.threads = 1, .light = hasty, .heavy = hasty});
   std::latch aside{2};
   std::latch released{1};
   for (int i = 0; i < 2; ++i) {
-    EXPECT_TRUE(lanes.submit(GetParam(), {.task = [&] {
-                               lanes.step_aside();
-                               lanes.step_aside();
-                               aside.count_down();
-                               released.wait();
-                             }}));
+    EXPECT_TRUE(lanes.submit(GetParam(), {.cost = as_thought, .task = [&] {
+                                            lanes.make_room(never);
+                                            lanes.make_room(never);
+                                            aside.count_down();
+                                            released.wait();
+                                          }}));
   }
   std::atomic<bool> third_began{false};
   EXPECT_TRUE(lanes.submit(GetParam(), {.task = [&] { third_began = true; }}));
@@ -220,6 +228,137 @@ TEST_P(WhereTasksMayStepAside, WhatStepsAsideKeepsNobodyWaiting) {
   lanes.wait_until_idle();
   EXPECT_TRUE(third_began);
   EXPECT_EQ(lanes.gauges(GetParam()).running, 0u);
+}
+
+TEST(Lanes, WhatIsNoLongerThanItsLaneAllowsMakesNoRoom) {
+  Lanes lanes({.threads = 1, .light = {.longest_wait = 1e9, .waiting = 100, .longest_task = 1e9}});
+  std::latch asked{1};
+  std::latch released{1};
+  EXPECT_TRUE(lanes.submit(Lane::light, {.cost = 0, .task = [&] {
+                                           lanes.make_room(never);
+                                           asked.count_down();
+                                           released.wait();
+                                         }}));
+  std::atomic<bool> next_began{false};
+  EXPECT_TRUE(lanes.submit(Lane::light, {.task = [&] { next_began = true; }}));
+  asked.wait();
+  std::this_thread::sleep_for(20ms);
+  EXPECT_FALSE(next_began);
+  released.count_down();
+}
+
+void soon(const std::function<bool()>& is_so) {
+  for (int i = 0; i < 500 && !is_so(); ++i) std::this_thread::sleep_for(10ms);
+  EXPECT_TRUE(is_so());
+}
+
+/// A task that is far longer than it was thought to be, beside others that have stepped aside.
+class MisjudgedWork : public testing::Test {
+ protected:
+  MisjudgedWork() {
+    for (const Lane lane : {Lane::light, Lane::heavy}) {
+      EXPECT_TRUE(lanes_.submit(lane, {.cost = as_thought, .task = [this] {
+                                         lanes_.make_room(never);
+                                         aside_.count_down();
+                                         released_.wait();
+                                       }}));
+    }
+    aside_.wait();
+  }
+  ~MisjudgedWork() override { release(); }
+
+  void release() {
+    if (!std::exchange(is_released_, true)) released_.count_down();
+  }
+
+  void begin_misjudged(int rooms = 1, const std::function<bool()>& given_up = never) {
+    EXPECT_TRUE(lanes_.submit(Lane::light, {.cost = 0, .task = [this, given_up, rooms] {
+                                              for (int i = 0; i < rooms; ++i) {
+                                                compute_for(20ms);
+                                                lanes_.make_room(given_up);
+                                                ++went_on_;
+                                              }
+                                            }}));
+  }
+  static void compute_for(std::chrono::milliseconds time) {
+    const auto end = std::clock() + time.count() * CLOCKS_PER_SEC / 1000;
+    while (std::clock() < end) continue;
+  }
+  bool has_nothing_of(Lane lane) const {
+    return lanes_.gauges(lane).running + lanes_.gauges(lane).waiting == 0;
+  }
+
+  Lanes lanes_{{.threads = 1, .light = hasty, .heavy = hasty, .lengthy = patient}};
+  std::latch aside_{2};
+  std::latch released_{1};
+  bool is_released_{false};
+  std::atomic<int> went_on_{0};
+};
+
+TEST_F(MisjudgedWork, WaitsInTheNextLane) {
+  Occupied heavy(lanes_, Lane::heavy);
+  heavy.wait_until_begun();
+  begin_misjudged();
+  soon([&] { return lanes_.gauges(Lane::heavy).waiting == 1; });
+  std::atomic<bool> light_began{false};
+  EXPECT_TRUE(lanes_.submit(Lane::light, {.task = [&] { light_began = true; }}));
+  soon([&] { return light_began.load(); });
+  EXPECT_EQ(went_on_, 0);
+  EXPECT_EQ(lanes_.gauges(Lane::light).running, 1u) << "the one that stepped aside";
+  heavy.release();
+  soon([&] { return went_on_ == 1; });
+  release();
+  soon([&] { return has_nothing_of(Lane::heavy) && has_nothing_of(Lane::light); });
+}
+
+TEST_F(MisjudgedWork, GoesOnToTheLastLane) {
+  Occupied lengthy(lanes_, Lane::lengthy);
+  lengthy.wait_until_begun();
+  begin_misjudged(20);
+  soon([&] { return lanes_.gauges(Lane::lengthy).waiting == 1; });
+  EXPECT_GE(went_on_, 1) << "it ran in the heavy lane before";
+  Occupied heavy(lanes_, Lane::heavy);
+  heavy.wait_until_begun();
+  heavy.release();
+  lengthy.release();
+  soon([&] { return went_on_ == 20; });
+  release();
+  lanes_.wait_until_idle();
+  for (const Lane lane : all_lanes) EXPECT_TRUE(has_nothing_of(lane));
+}
+
+TEST_F(MisjudgedWork, IsNotWaitedForWhenItIsGivenUp) {
+  Occupied heavy(lanes_, Lane::heavy);
+  heavy.wait_until_begun();
+  std::atomic<bool> is_left{false};
+  begin_misjudged(1, [&] { return is_left.load(); });
+  soon([&] { return lanes_.gauges(Lane::heavy).waiting == 1; });
+  is_left = true;
+  soon([&] { return went_on_ == 1; });
+  heavy.release();
+  release();
+  soon([&] { return has_nothing_of(Lane::heavy); });
+}
+
+TEST_F(MisjudgedWork, IsFinishedBeforeTheLanesEnd) {
+  for (int i = 0; i < 50; ++i) begin_misjudged();
+  release();
+  lanes_.wait_until_idle();
+  EXPECT_EQ(went_on_, 50);
+}
+
+TEST(Lanes, WhatWasGivenUpTellsNoPace) {
+  Lanes lanes({.threads = 1, .heavy = {.longest_wait = 0.1, .waiting = 1000}});
+  for (int i = 0; i < 40; ++i) {
+    ASSERT_TRUE(
+        lanes.submit(Lane::heavy, {.cost = 1000, .task = [&] { lanes.make_way(Lanes::Outcome::given_up); }}));
+    lanes.wait_until_idle();
+  }
+  Occupied first(lanes, Lane::heavy);
+  first.wait_until_begun();
+  EXPECT_TRUE(lanes.submit(Lane::heavy, {.cost = 200, .task = [] {}}));
+  EXPECT_FALSE(lanes.submit(Lane::heavy, {.cost = 1, .task = [] {}})) << "behind 200 ms";
+  first.release();
 }
 
 TEST(Lanes, WorkOfManyThreadsIsDoneOnceEach) {
