@@ -154,12 +154,16 @@ void Application::admit(Case& it) {
   Lanes::Work work{.cost = it.appraisal.milliseconds,
                    .bytes = it.lane == Lane::light ? 0 : it.appraisal.bytes,
                    .task = [this, it]() mutable { compute(it); }};
-  if (has_room() && lanes_.submit(it.lane, std::move(work))) return;
+  if (has_room(it.lane) && lanes_.submit(it.lane, std::move(work))) return;
   shed(it);
   if (it.lane == Lane::light) parts_.overloaded();
 }
 
-bool Application::has_room() const { return parts_.unsent_bytes() <= options_.unsent_bytes; }
+/// Light answers are short: they are made while those of others are cut off.
+bool Application::has_room(Lane lane) const {
+  const std::size_t most = lane == Lane::light ? 2 * options_.unsent_bytes : options_.unsent_bytes;
+  return parts_.unsent_bytes() <= most;
+}
 
 void Application::shed(Case& it) {
   metrics_.count_shed();
@@ -187,7 +191,7 @@ void Application::compute(Case& it) {
     it.waited = Milliseconds(Clock::now() - it.exchange->arrived).count();
     if (given_up()) return finish(it, it.problem(ProblemKind::deadline));
     // While it waited, answers before it may have piled up at clients who do not read.
-    if (!has_room()) return shed(it);
+    if (!has_room(it.lane)) return shed(it);
     it.request->interrupted = over;
     it.request->spread = spread_over(options_.lanes.threads, Help::beside_light_work);
     auto response = parts_.answer(*it.request);

@@ -25,7 +25,8 @@ struct ApplicationOptions {
   Clock::duration deadline{std::chrono::seconds(8)};  ///< from a request's last byte to its answer
   Clock::duration drain{std::chrono::seconds(10)};    ///< how long work may go on after the end was asked for
   std::size_t unsent_bytes{std::size_t{64}
-                           << 20};  ///< while more than this waits to be read, no work is taken on or begun
+                           << 20};  ///< while more than this waits to be read, no work is
+                                    ///< taken on or begun; light work while twice as much does
 };
 
 /// What it needs of the rest of the program; functions, so that tests can bring their own.
@@ -56,7 +57,7 @@ class Application {
   void admit(Case& it);
   void compute(Case& it);
   void shed(Case& it);
-  [[nodiscard]] bool has_room() const;
+  [[nodiscard]] bool has_room(Lane lane) const;
   void finish(Case& it, api::Response response);
   void send(Case& it, const Sent& sent, Outgoing outgoing);
   void record(const Case& it, const Sent& sent, std::size_t bytes);

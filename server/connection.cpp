@@ -132,6 +132,7 @@ void Connection::deliver(Outgoing outgoing, Clock::time_point now) {
   outgoing_ = std::move(outgoing);
   body_share_.reset();
   state_ = State::writing;
+  answered_ = now;
   deadline_ = now + patience_.write;
   written_ = outgoing_.sent();
   write(now);

@@ -23,6 +23,8 @@ struct Patience {
       std::chrono::seconds(8)};  ///< from the first to the last byte of a request; also until a first byte
   Clock::duration idle{std::chrono::seconds(60)};   ///< between two requests
   Clock::duration write{std::chrono::seconds(10)};  ///< for each 64 KiB of an answer
+  Clock::duration crowded{
+      std::chrono::seconds(2)};  ///< for an answer, while too many bytes of answers wait to be read
   Clock::duration linger{std::chrono::seconds(1)};  ///< for a refused client to read why
   Clock::duration farewell{
       std::chrono::milliseconds(50)};  ///< after it stopped sending, until it counts as gone
@@ -68,6 +70,11 @@ class Connection {
   void turn_away(Clock::time_point now);
   /// Ends the connection, whatever it was doing. While somebody works on an answer it must not be called.
   void close();
+  /// True when the client has not read its answer in the time that it has where answers crowd.
+  [[nodiscard]] bool is_in_the_way(Clock::time_point now) const {
+    return state_ == State::writing && now - answered_ > patience_.crowded;
+  }
+  [[nodiscard]] std::size_t unsent() const { return outgoing_.unsent(); }
   /// True when the client has stopped sending and it is not yet clear whether it has left.
   [[nodiscard]] bool leaving() const { return state_ == State::answering && gone_at_.has_value(); }
 
@@ -85,7 +92,8 @@ class Connection {
   Budget& bodies_;
   State state_{State::waiting};
   Clock::time_point deadline_;
-  Clock::time_point begun_{};  // when the first byte of the request came
+  Clock::time_point begun_{};     // when the first byte of the request came
+  Clock::time_point answered_{};  // when the answer was there
   MessageReader reader_;
   Outgoing outgoing_;
   std::optional<Budget::Share> body_share_;

@@ -1,10 +1,9 @@
-#include "server/running_task.hpp"
-
-#include <sys/resource.h>
 #include <time.h>
-#include <unistd.h>
 
 #include <utility>
+
+#include "server/lanes.hpp"
+#include "server/running_task.hpp"
 
 namespace qdot::server {
 namespace {
@@ -27,12 +26,9 @@ double processor_seconds() {
   return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
 }
 
-// On Linux each thread has its own niceness.
-void lower_priority() { ::setpriority(PRIO_PROCESS, static_cast<id_t>(::gettid()), heavy_niceness); }
-
-Lanes::Running* Lanes::Running::place() {
+RunningTask* RunningTask::place() {
   if (!turn) return this;
-  return turn->state == Turn::State::taken ? turn->lent : nullptr;
+  return turn->state == LentTurn::State::taken ? turn->lent : nullptr;
 }
 
 bool Lanes::none_may_step_aside(const State& lane) const {
@@ -40,7 +36,7 @@ bool Lanes::none_may_step_aside(const State& lane) const {
 }
 
 void Lanes::make_room(const std::function<bool()>& given_up) {
-  Running* const task = current_ == nullptr ? nullptr : current_->place();
+  RunningTask* const task = current_ == nullptr ? nullptr : current_->place();
   if (task == nullptr || task->lane == Lane::lengthy || task->aside || task->done) return;
   const State& it = state(task->lane);
   // A task asks often; a thread of low priority must not have the lock that often, which others wait for.
@@ -52,7 +48,7 @@ void Lanes::make_room(const std::function<bool()>& given_up) {
   change_lane(*current_, 1000 * took, given_up);
 }
 
-bool Lanes::step_aside(Running& task) {
+bool Lanes::step_aside(RunningTask& task) {
   State& it = state(task.lane);
   {
     const std::lock_guard lock(mutex_);
@@ -67,16 +63,16 @@ bool Lanes::step_aside(Running& task) {
 
 /// A turn in the next lane, to be waited for; null where the task has to go on where it is. Called with the
 /// lock.
-std::shared_ptr<Lanes::Turn> Lanes::leave(Running& task, double milliseconds) {
-  Running& place = *task.place();
+std::shared_ptr<LentTurn> Lanes::leave(RunningTask& task, double milliseconds) {
+  RunningTask& place = *task.place();
   if (turns_waited_for_ >= most_turns_waited_for) return nullptr;
-  const auto turn = std::make_shared<Turn>();
+  const auto turn = std::make_shared<LentTurn>();
   enqueue(state(next(place.lane)), {.cost = milliseconds,
                                     .bytes = place.bytes,
                                     .task = [this, turn] { lend(*turn); },
                                     .lends_its_turn = true});
   if (!task.turn && !add_worker(task.lane)) {
-    turn->state = Turn::State::given_up;
+    turn->state = LentTurn::State::given_up;
     return nullptr;
   }
   State& it = state(place.lane);
@@ -93,23 +89,23 @@ std::shared_ptr<Lanes::Turn> Lanes::leave(Running& task, double milliseconds) {
   return task.turn = turn;
 }
 
-void Lanes::give_back(Turn& turn) {
-  turn.state = Turn::State::over;
+void Lanes::give_back(LentTurn& turn) {
+  turn.state = LentTurn::State::over;
   turn.changed.notify_all();
 }
 
-void Lanes::change_lane(Running& task, double milliseconds, const std::function<bool()>& given_up) {
+void Lanes::change_lane(RunningTask& task, double milliseconds, const std::function<bool()>& given_up) {
   std::unique_lock lock(mutex_);
   const auto turn = leave(task, milliseconds);
   if (!turn) return;
-  const auto is_waited_for = [&] { return turn->state == Turn::State::waited_for; };
+  const auto is_waited_for = [&] { return turn->state == LentTurn::State::waited_for; };
   ++turns_waited_for_;
   while (is_waited_for()) {
     turn->changed.wait_for(lock, between_looks);
     lock.unlock();
     const bool ends = given_up();
     lock.lock();
-    if (ends && is_waited_for()) turn->state = Turn::State::given_up;
+    if (ends && is_waited_for()) turn->state = LentTurn::State::given_up;
   }
   --turns_waited_for_;
   if (turn->lent != nullptr) turn->lent->had = processor_seconds();
@@ -118,13 +114,13 @@ void Lanes::change_lane(Running& task, double milliseconds, const std::function<
 }
 
 /// By a thread of that lane.
-void Lanes::lend(Turn& turn) {
+void Lanes::lend(LentTurn& turn) {
   std::unique_lock lock(mutex_);
-  if (turn.state != Turn::State::waited_for) return;
+  if (turn.state != LentTurn::State::waited_for) return;
   turn.lent = current_;
-  turn.state = Turn::State::taken;
+  turn.state = LentTurn::State::taken;
   turn.changed.notify_all();
-  turn.changed.wait(lock, [&] { return turn.state == Turn::State::over; });
+  turn.changed.wait(lock, [&] { return turn.state == LentTurn::State::over; });
 }
 
 }  // namespace qdot::server

@@ -15,7 +15,7 @@ constexpr double memory = 0.95;        // the weight that the past keeps after e
 
 }  // namespace
 
-thread_local Lanes::Running* Lanes::current_ = nullptr;
+thread_local RunningTask* Lanes::current_ = nullptr;
 
 double Lanes::State::expected_wait(int threads) const {
   return (waiting_cost + running_cost) / threads * (recent_seconds / recent_cost);
@@ -121,7 +121,8 @@ bool Lanes::begin(Lane lane, std::unique_lock<std::mutex>& lock) {
   ++it.running;
   it.bytes += work.bytes;
   lock.unlock();
-  Running running{.lane = lane, .cost = work.cost, .bytes = work.bytes, .tells_pace = !work.lends_its_turn};
+  RunningTask running{
+      .lane = lane, .cost = work.cost, .bytes = work.bytes, .tells_pace = !work.lends_its_turn};
   current_ = &running;
   work.task();
   work.task = nullptr;  // gives back what it held before the next one begins
@@ -131,7 +132,7 @@ bool Lanes::begin(Lane lane, std::unique_lock<std::mutex>& lock) {
   return !running.is_replaced;
 }
 
-void Lanes::end(Running& task) {
+void Lanes::end(RunningTask& task) {
   State& it = state(task.lane);
   if (task.turn) {
     --it.elsewhere;
@@ -144,7 +145,7 @@ void Lanes::end(Running& task) {
   if (task.bytes > 0) it.changed.notify_all();  // there is memory for others now
 }
 
-void Lanes::count_done(Running& task, Outcome outcome) {
+void Lanes::count_done(RunningTask& task, Outcome outcome) {
   if (std::exchange(task.done, true)) return;
   State& it = state(task.lane);
   it.running_cost -= task.cost;
@@ -160,7 +161,7 @@ void Lanes::count_done(Running& task, Outcome outcome) {
 void Lanes::make_way(Outcome outcome) {
   if (current_ == nullptr) return;
   const std::lock_guard lock(mutex_);
-  if (Running* const task = current_->place()) count_done(*task, outcome);
+  if (RunningTask* const task = current_->place()) count_done(*task, outcome);
 }
 
 void Lanes::wait_until_idle() {

@@ -36,14 +36,9 @@
 #include <mutex>
 #include <thread>
 
+#include "server/lane.hpp"
+
 namespace qdot::server {
-
-/// Of the threads of heavy and lengthy work: beside a light one such a thread gets about a tenth of a core,
-/// alone all of it.
-inline constexpr int heavy_niceness = 10;
-
-enum class Lane { light, heavy, lengthy };
-inline constexpr std::array all_lanes{Lane::light, Lane::heavy, Lane::lengthy};
 
 struct LaneLimits {
   double longest_wait{};  ///< seconds that the last entry of the queue may expect to wait
@@ -64,6 +59,9 @@ struct LanesOptions {
                    .longest_task = 0.5};
   LaneLimits lengthy{.longest_wait = 1, .burst_wait = 5, .waiting = 1024};
 };
+
+struct RunningTask;
+struct LentTurn;
 
 class Lanes {
  public:
@@ -104,8 +102,6 @@ class Lanes {
   [[nodiscard]] Gauges gauges(Lane lane) const;
 
  private:
-  struct Running;
-  struct Turn;
   struct State {
     LaneLimits limits;
     std::deque<Work> queue;
@@ -127,21 +123,21 @@ class Lanes {
   void work(Lane lane);
   void retire();
   [[nodiscard]] bool begin(Lane lane, std::unique_lock<std::mutex>& lock);
-  void end(Running& task);
+  void end(RunningTask& task);
   void enqueue(State& lane, Work work);
-  void count_done(Running& task, Outcome outcome);
+  void count_done(RunningTask& task, Outcome outcome);
   [[nodiscard]] bool none_may_step_aside(const State& lane) const;
-  [[nodiscard]] bool step_aside(Running& task);
-  [[nodiscard]] std::shared_ptr<Turn> leave(Running& task, double milliseconds);
-  void change_lane(Running& task, double milliseconds, const std::function<bool()>& given_up);
-  void lend(Turn& turn);
-  static void give_back(Turn& turn);
+  [[nodiscard]] bool step_aside(RunningTask& task);
+  [[nodiscard]] std::shared_ptr<LentTurn> leave(RunningTask& task, double milliseconds);
+  void change_lane(RunningTask& task, double milliseconds, const std::function<bool()>& given_up);
+  void lend(LentTurn& turn);
+  static void give_back(LentTurn& turn);
   [[nodiscard]] bool is_free(const State& lane) const;
   [[nodiscard]] bool next_may_begin(const State& lane) const;
   State& state(Lane lane) { return states_[static_cast<std::size_t>(lane)]; }
   [[nodiscard]] const State& state(Lane lane) const { return states_[static_cast<std::size_t>(lane)]; }
 
-  static thread_local Running* current_;  // the task of this thread, as it began
+  static thread_local RunningTask* current_;  // the task of this thread, as it began
   const int threads_;
   mutable std::mutex mutex_;
   std::array<State, all_lanes.size()> states_;

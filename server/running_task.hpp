@@ -6,7 +6,7 @@
 #include <cstddef>
 #include <memory>
 
-#include "server/lanes.hpp"
+#include "server/lane.hpp"
 
 namespace qdot::server {
 
@@ -17,10 +17,9 @@ using Steady = std::chrono::steady_clock;
 /// That this thread has had.
 [[nodiscard]] double processor_seconds();
 
-/// Of this thread, to that of heavy work.
-void lower_priority();
+struct LentTurn;
 
-struct Lanes::Running {
+struct RunningTask {
   Lane lane;
   double cost;
   std::size_t bytes;
@@ -29,19 +28,19 @@ struct Lanes::Running {
   double had{processor_seconds()};  // seconds of a processor, before it began
   bool aside{false};
   bool done{false};
-  bool is_replaced{false};       // another thread does this one's work
-  std::shared_ptr<Turn> turn{};  // in another lane, once it has changed
+  bool is_replaced{false};           // another thread does this one's work
+  std::shared_ptr<LentTurn> turn{};  // in another lane, once it has changed
 
   /// Where it runs now; null where it does not.
-  [[nodiscard]] Running* place();
+  [[nodiscard]] RunningTask* place();
 };
 
 /// In a lane, for a task that has begun in another one. The lane's thread lends its own, and waits while the
 /// task's thread uses it.
-struct Lanes::Turn {
+struct LentTurn {
   enum class State { waited_for, taken, over, given_up };
   State state{State::waited_for};
-  Running* lent{};
+  RunningTask* lent{};
   std::condition_variable changed{};
 };
 

@@ -1,15 +1,12 @@
 #include "server/spread.hpp"
 
-#include <sys/resource.h>
-#include <unistd.h>
-
 #include <algorithm>
 #include <atomic>
 #include <system_error>
 #include <thread>
 #include <vector>
 
-#include "server/lanes.hpp"
+#include "server/lane.hpp"
 
 namespace qdot::server {
 namespace {
@@ -32,8 +29,7 @@ api::Spread spread_over(int threads, Help help) {
       for (std::size_t i = next++; i < count; i = next++) task(i);
     };
     const auto help_out = [&] {
-      if (help == Help::beside_light_work)
-        ::setpriority(PRIO_PROCESS, static_cast<id_t>(::gettid()), heavy_niceness);
+      if (help == Help::beside_light_work) lower_priority();
       take_tasks();
     };
     std::vector<std::jthread> helpers;

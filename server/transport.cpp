@@ -50,6 +50,7 @@ struct Transport::Impl {
       : handler_(std::move(handler)),
         patience_(options.patience),
         most_connections_(possible_connections(options.connections)),
+        most_unsent_(options.unsent_bytes),
         entrance_(poller_, options.host, options.port, options.unix_socket) {
     posted_.reserve(most_connections_ + overflow);  // so that post() allocates nothing
     taken_.reserve(most_connections_ + overflow);
@@ -239,8 +240,22 @@ struct Transport::Impl {
       }
       settle(here);
     }
+    if (unsent_.used() > most_unsent_) drop_one_in_the_way();
     if (entrance_.is_paused()) entrance_.resume();
     next_sweep_ = now_ + (someone_leaves_ ? leaving_interval : sweep_interval);
+  }
+
+  /// Closes, of the connections whose clients read slowly, the one with most to read.
+  void drop_one_in_the_way() {
+    auto most = entries_.end();
+    for (auto entry = entries_.begin(); entry != entries_.end(); ++entry) {
+      const Connection& connection = entry->second.connection;
+      if (!connection.is_in_the_way(now_)) continue;
+      if (most == entries_.end() || connection.unsent() > most->second.connection.unsent()) most = entry;
+    }
+    if (most == entries_.end()) return;
+    most->second.connection.close();
+    settle(most);
   }
 
   /// The server is about to end: only requests in flight keep their connections, and clients that still send
@@ -260,6 +275,7 @@ struct Transport::Impl {
   Handler handler_;
   Patience patience_;
   std::size_t most_connections_;
+  std::size_t most_unsent_;
   Budget bodies_{all_bodies};
   Poller poller_;
   Entrance entrance_;

@@ -19,6 +19,8 @@ struct TransportOptions {
   std::optional<int> port{};      ///< 0 takes any free one; without a value there is no TCP
   std::string unix_socket{};      ///< its path; if empty there is none
   std::size_t connections{1024};  ///< for one more, the one that has waited longest for a request is closed
+  std::size_t unsent_bytes{std::size_t{64}
+                           << 20};  ///< while more than this waits to be read, slow readers are cut off
   Patience patience{};
 };
 

@@ -1,6 +1,7 @@
 #include "api/about/appraisal.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <optional>
 #include <string_view>
@@ -13,6 +14,7 @@
 #include "api/contract/written_value.hpp"
 #include "api/http/address.hpp"
 #include "api/json/limits.hpp"
+#include "api/json/text.hpp"
 #include "core/integrate/methods.hpp"
 #include "core/numerics/function.hpp"
 
@@ -28,8 +30,17 @@ constexpr double light = 10;                   // what costs more waits in the h
 constexpr std::size_t bytes_per_number = 100;  // while the answer is made
 
 /// A body above this size is not read for its appraisal: its size alone makes it expensive.
-constexpr std::size_t largest_read = 8 * 1024;
-constexpr double unread = 100;  // milliseconds
+constexpr std::size_t largest_read = 32 * 1024;
+constexpr double unread = 100;                                    // milliseconds
+constexpr std::size_t unread_bytes = limits::batch_answer_bytes;  // of what may be any answer
+constexpr double of_extended = 50;                                // times what the motion costs in doubles
+
+struct OfSystem {
+  std::string_view name;
+  double factor;  ///< of the others' cost
+};
+constexpr std::array dear_systems{OfSystem{"compass_walker", 12}, OfSystem{"rod_pendulum", 4},
+                                  OfSystem{"rod_spring_pendulum", 4}};
 
 /// Cost of deriving a system that the request brings along, by its number of coordinates: chains of
 /// pendulums of 4, 5, 6 and 8 links take 30, 75, 300 and 1000 ms.
@@ -41,15 +52,22 @@ double derivation(const Json& fields) {
   return 0.5 + 0.03 * power(std::min<double>(static_cast<double>(coordinates->size()), 20), 5.0);
 }
 
-std::optional<double> number(const Json& fields, const char* name, std::string_view unit) {
-  const auto field = fields.find(name);
-  if (field == fields.end()) return std::nullopt;
-  if (field->is_number()) return field->get<double>();
-  if (!field->is_string()) return std::nullopt;
+std::optional<double> number_in(const std::string& text, std::string_view unit) {
   ParameterScope numbers_only;
-  const auto value = written_value(field->get_ref<const std::string&>(), unit, numbers_only);
+  const auto value = written_value(text, unit, numbers_only);
   const auto* found = std::get_if<Real>(&value);
   return found == nullptr ? std::nullopt : std::optional(found->value);
+}
+
+std::optional<double> number_in(const Json& value, std::string_view unit) {
+  if (value.is_number()) return value.get<double>();
+  if (!value.is_string()) return std::nullopt;
+  return number_in(value.get_ref<const std::string&>(), unit);
+}
+
+std::optional<double> number(const Json& fields, const char* name, std::string_view unit) {
+  const auto field = fields.find(name);
+  return field == fields.end() ? std::nullopt : number_in(*field, unit);
 }
 
 /// How much more a method costs than the Taylor method, for the same motion.
@@ -60,14 +78,35 @@ double factor_of_method(const Json& fields) {
   return found == methods().end() ? 1 : found->relative_cost;
 }
 
+/// Of the systems that are known by name.
+double factor_of_system(const Json& fields) {
+  const auto system = fields.find("system");
+  if (system == fields.end() || !system->is_string()) return 1;
+  const auto found = std::ranges::find(dear_systems, system->get_ref<const std::string&>(), &OfSystem::name);
+  return found == dear_systems.end() ? 1 : found->factor;
+}
+
+double factor_of_precision(const Json& fields) {
+  const auto precision = fields.find("precision");
+  return precision != fields.end() && *precision == "extended" ? of_extended : 1;
+}
+
+/// Of a list, or of a query's text.
+std::optional<double> last_time(const Json& fields) {
+  const auto times = fields.find("times");
+  if (times == fields.end()) return std::nullopt;
+  if (times->is_array()) return times->empty() ? std::nullopt : number_in(times->back(), "s");
+  if (!times->is_string()) return number_in(*times, "s");
+  const auto& text = times->get_ref<const std::string&>();
+  return number_in(text.substr(text.rfind(',') + 1), "s");
+}
+
 double length_of(const Json& fields) {
   if (const auto end = number(fields, "t_end", "s")) {
     return std::abs(*end - number(fields, "t_start", "s").value_or(0));
   }
   if (const auto strides = number(fields, "steps", "1")) return *strides;
-  const auto times = fields.find("times");
-  const bool listed = times != fields.end() && times->is_array() && !times->empty();
-  return listed && times->back().is_number() ? std::abs(times->back().get<double>()) : 10;
+  return std::abs(last_time(fields).value_or(10));
 }
 
 std::size_t entries(const Json& fields, const char* name) {
@@ -93,7 +132,8 @@ Appraisal of_motion(const Json& fields, Appraisal result) {
   const double length = length_of(fields);
   const double numbers = numbers_of(fields, length);
   const double events = 1 + per_event * static_cast<double>(entries(fields, "events"));
-  const double motion = length * per_second_of_motion * factor_of_method(fields) * events;
+  const double motion = length * per_second_of_motion * factor_of_method(fields) * factor_of_system(fields) *
+                        factor_of_precision(fields) * events;
   result.milliseconds += (std::isfinite(motion) ? std::min(motion, longest) : longest) + numbers * per_number;
   result.bytes = static_cast<std::size_t>(numbers) * bytes_per_number;
   return result;
@@ -135,13 +175,15 @@ Appraisal of_fields(const Cost& cost, const Json& fields) {
   return follows_motion(cost, fields) ? of_motion(fields, result) : result;
 }
 
+Appraisal of_question(const Cost& cost, const Json& fields);
+
 /// Of the request {"modes": {...}}, which asks another endpoint.
 Appraisal of_asked(const Json& asked) {
   Appraisal sum{.milliseconds = 0};
   for (const auto& [name, fields] : asked.items()) {
     const Endpoint* endpoint = endpoint_at("/v1/" + name);
     if (endpoint == nullptr) continue;
-    const Appraisal one = of_fields(endpoint->cost, fields);
+    const Appraisal one = of_question(endpoint->cost, fields);
     sum.milliseconds += one.milliseconds;
     sum.bytes += one.bytes;
   }
@@ -156,7 +198,7 @@ Appraisal of_lines(const Cost& cost, std::string_view body) {
   double read = 0;
   std::size_t left = largest_read;
   while (!body.empty()) {
-    const std::string_view line = body.substr(0, body.find('\n'));
+    const std::string_view line = trimmed(body.substr(0, body.find('\n')));
     if (line.size() > left) break;
     left -= line.size();
     const auto fields = fields_of_body(line);
@@ -164,9 +206,10 @@ Appraisal of_lines(const Cost& cost, std::string_view body) {
     sum.milliseconds += cost.milliseconds + one.milliseconds;
     sum.bytes += one.bytes;
     ++read;
-    body.remove_prefix(std::min(line.size() + 1, body.size()));
+    body.remove_prefix(std::min(body.find('\n'), body.size() - 1) + 1);
   }
-  if (read == 0) return {.milliseconds = unread, .bytes = body.size() * bytes_per_number};
+  if (read == 0)
+    return {.milliseconds = unread, .bytes = std::max(body.size() * bytes_per_number, unread_bytes)};
   return {.milliseconds = sum.milliseconds * lines / read,
           .bytes = static_cast<std::size_t>(static_cast<double>(sum.bytes) * lines / read)};
 }
@@ -219,14 +262,24 @@ Appraisal of_items(const Cost& cost, const Json& fields) {
   return sum;
 }
 
+Appraisal of_question(const Cost& cost, const Json& fields) {
+  switch (cost.made_of) {
+    case Cost::MadeOf::items:
+      return of_items(cost, fields);
+    case Cost::MadeOf::rows:
+      return of_rows(fields);
+    default:
+      return of_fields(cost, fields);
+  }
+}
+
 Appraisal of_request(const Cost& cost, const Request& request) {
   if (cost.made_of == Cost::MadeOf::lines) return of_lines(cost, request.body);
   if (request.body.size() > largest_read)
-    return {.milliseconds = cost.milliseconds + unread, .bytes = request.body.size() * bytes_per_number};
+    return {.milliseconds = cost.milliseconds + unread,
+            .bytes = std::max(request.body.size() * bytes_per_number, unread_bytes)};
   const auto fields = fields_of(request);
-  if (!fields) return {.milliseconds = cost.milliseconds};
-  if (cost.made_of == Cost::MadeOf::items) return of_items(cost, *fields);
-  return cost.made_of == Cost::MadeOf::rows ? of_rows(*fields) : of_fields(cost, *fields);
+  return fields ? of_question(cost, *fields) : Appraisal{.milliseconds = cost.milliseconds};
 }
 
 }  // namespace

@@ -142,6 +142,11 @@ class Extrema {
     if (last + 2 < all_.size()) to_there.t_end = grid.back();
     measured_ = simulate_with_error(dynamics_, to_there, {});
     last_measured_ = last;
+    known_times_.clear();
+    for (const PossibleExtremum& one : all_) {
+      if (time_error(one)) known_times_.push_back(one.t);
+    }
+    std::ranges::sort(known_times_);
   }
 
   /// Of x at a candidate, and of x where the motion really has its event.
@@ -162,12 +167,11 @@ class Extrema {
   /// that because its speed may change.
   [[nodiscard]] double time_around(const PossibleExtremum& one) const {
     constexpr double safety = 2;
-    double before = request_.t_start, after = result_.t;
-    for (const PossibleExtremum& other : all_) {
-      if (other.t < one.t && time_error(other)) before = std::max(before, other.t);
-      if (other.t > one.t && time_error(other)) after = std::min(after, other.t);
-    }
-    return safety * (after - before);
+    const auto first = std::ranges::lower_bound(known_times_, one.t);
+    const auto after = std::ranges::upper_bound(known_times_, one.t);
+    const double begin = first == known_times_.begin() ? request_.t_start : *std::prev(first);
+    const double end = after == known_times_.end() ? result_.t : *after;
+    return safety * (std::min(end, result_.t) - std::max(begin, request_.t_start));
   }
 
   [[nodiscard]] std::optional<double> time_error(const PossibleExtremum& one) const {
@@ -230,6 +234,7 @@ class Extrema {
   const ExtremaRequest& request_;
   SimulationRequest asked_;
   std::vector<PossibleExtremum> all_;
+  std::vector<double> known_times_;  ///< of those whose times have errors, in order
   MeasuredSimulation measured_;
   std::size_t last_measured_{};
   double last_row_{};

@@ -270,7 +270,7 @@ TEST(Application, WhatWaitedIsTurnedAwayIfAnswersHavePiledUpMeanwhile) {
   auto first = application.ask(get("/v1/slow"));
   slow.begun.wait();
   auto second = application.ask(get("/v1/energy"));
-  application.unsent_bytes = 101;
+  application.unsent_bytes = 201;
   EXPECT_THAT(application(get("/v1/energy")).body, HasSubstr("/errors/overloaded"));
   slow.released.count_down();
   EXPECT_EQ(first.get().status, 200);

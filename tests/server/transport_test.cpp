@@ -274,6 +274,22 @@ TEST(Transport, AReaderThatStopsIsCutOff) {
   EXPECT_EQ(server.transport().gauges().unsent_bytes, 0u);
 }
 
+TEST(Transport, WhereAnswersCrowdThoseWhoReadSlowlyAreCutOff) {
+  RunningTransport server(
+      large_answer, {.port = 0, .unsent_bytes = large.size(), .patience = {.write = 600s, .crowded = 100ms}});
+  const RawClient one(server.port());
+  one.send(close_after);
+  while (server.transport().gauges().unsent_bytes == 0) std::this_thread::yield();
+  std::this_thread::sleep_for(400ms);
+  EXPECT_EQ(server.transport().gauges().connections, 1u) << "nobody is in its way";
+  const RawClient other(server.port());
+  other.send(close_after);
+  while (server.transport().gauges().connections != 2) std::this_thread::sleep_for(1ms);
+  while (server.transport().gauges().connections != 1) std::this_thread::sleep_for(1ms);
+  std::this_thread::sleep_for(400ms);
+  EXPECT_EQ(server.transport().gauges().connections, 1u) << "one was enough";
+}
+
 TEST(Transport, AReaderThatIsSlowDoesNotHoldUpTheEnd) {
   RunningTransport server(large_answer, {.port = 0, .patience = {.write = 300ms}});
   const RawClient client(server.port());

@@ -12,7 +12,9 @@ namespace qdot::api {
 namespace {
 
 constexpr const char* lines_type = "application/x-ndjson";
-constexpr std::size_t at_a_time = 8;  ///< lines whose answers are there beside those that are counted
+/// Lines whose answers are made at a time, as many threads do: fewer where answers are long.
+constexpr std::size_t fewest_at_a_time = 2, most_at_a_time = 16;
+constexpr std::size_t long_answer = 256 * 1024;  ///< bytes
 
 /// As they were sent, without the newlines. The last one need not have any.
 std::vector<std::string_view> lines_of(std::string_view text) {
@@ -66,12 +68,13 @@ std::optional<Problem> problem_of_body(const Call& call, const std::vector<std::
 
 Problem answers_too_long() {
   return {.kind = ProblemKind::limit_exceeded,
-          .detail = "The answers before this line are longer than " +
+          .detail = "The answers up to this line would be longer than " +
                     std::to_string(limits::batch_answer_bytes) +
                     " bytes together; send this line and those after it as another batch."};
 }
 
-/// The answers in order. Once they are too many bytes together, the lines that follow are not asked any more.
+/// The answers in order. From the first on that would make them too many bytes together, lines are refused:
+/// how many are made at a time changes no answer.
 std::string answers_to(const std::vector<std::string_view>& lines, const FieldSet& fields, const Call& call,
                        const Asking& asking) {
   const AskEndpoint ask = [&](const std::string& endpoint, std::string body) {
@@ -81,13 +84,20 @@ std::string answers_to(const std::vector<std::string_view>& lines, const FieldSe
     return to_response(answers_too_long(), "/v1/batch");
   };
   std::string text;
-  for (std::size_t begin = 0; begin < lines.size(); begin += at_a_time) {
-    const bool is_full = text.size() > limits::batch_answer_bytes;
+  bool is_full = false;
+  std::size_t at_a_time = fewest_at_a_time;
+  for (std::size_t begin = 0; begin < lines.size();) {
     std::vector<std::string> answers(std::min(at_a_time, lines.size() - begin));
     for_each(call.request, answers.size(), [&](std::size_t i) {
       answers[i] = answered_line(lines[begin + i], fields, is_full ? refuse : ask);
     });
-    for (const std::string& answer : answers) text += answer;
+    at_a_time = std::min(2 * at_a_time, most_at_a_time);
+    for (std::size_t i = 0; i < answers.size(); ++i) {
+      if (answers[i].size() > long_answer) at_a_time = fewest_at_a_time;
+      is_full = is_full || (!text.empty() && text.size() + answers[i].size() > limits::batch_answer_bytes);
+      text += is_full ? answered_line(lines[begin + i], fields, refuse) : std::exchange(answers[i], {});
+    }
+    begin += answers.size();
   }
   return text;
 }

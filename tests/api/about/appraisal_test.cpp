@@ -54,6 +54,24 @@ TEST(Appraisal, BothRoadsAreAppraisedAlike) {
   EXPECT_EQ(body.weight, Weight::heavy);
 }
 
+TEST(Appraisal, TimesMayBeWrittenInMoreThanOneWay) {
+  const double numbers = of("/v1/simulate", motion(R"("times": [0, 500])")).milliseconds;
+  EXPECT_GT(numbers, 40);
+  EXPECT_DOUBLE_EQ(of("/v1/simulate", motion(R"("times": ["0", "500 s"])")).milliseconds, numbers);
+  EXPECT_DOUBLE_EQ(of("/v1/simulate", motion(R"("times": "0,500")")).milliseconds, numbers);
+  EXPECT_DOUBLE_EQ(of_query("system=cart_pendulum&times=0,500").milliseconds, numbers);
+}
+
+TEST(Appraisal, MoreDigitsAndQuickSystemsCostMore) {
+  const auto of_system = [](const std::string& name) {
+    return of("/v1/simulate", R"({"t_end": 100, "system": ")" + name + "\"}").milliseconds;
+  };
+  EXPECT_GT(of_system("compass_walker"), 10 * of_system("cart_pendulum"));
+  EXPECT_GT(of_system("rod_pendulum"), 3 * of_system("cart_pendulum"));
+  EXPECT_GT(of("/v1/simulate", motion(R"("t_end": 100, "precision": "extended")")).milliseconds,
+            20 * of_system("cart_pendulum"));
+}
+
 TEST(Appraisal, ASystemThatTheRequestBringsHasToBeDerived) {
   const auto chain = [](int links) {
     std::string coordinates;
@@ -73,6 +91,12 @@ TEST(Appraisal, ABatchCostsWhatItsLinesCost) {
   EXPECT_NEAR(of("/v1/batch", lines).milliseconds / one, 200, 1);
   EXPECT_EQ(of("/v1/batch", lines).weight, Weight::heavy);
   EXPECT_EQ(of("/v1/batch", R"({"id": 1, "energy": {"system": "cart_pendulum"}})").weight, Weight::light);
+  EXPECT_NEAR(of("/v1/batch", std::string(40000, ' ') + "\n" + line).milliseconds, one, 0.2);
+  const std::string sweep = R"({"sweep": {"ask": {"modes": {"system": "cart_pendulum"}},)"
+                            R"( "vary": {"k": {"from": 1, "to": 2, "count": 1000}}}})";
+  EXPECT_EQ(of("/v1/batch", sweep).weight, Weight::heavy);
+  const auto unread = of("/v1/batch", R"({"id": ")" + std::string(40000, 'x') + "\"}");
+  EXPECT_GE(unread.bytes, limits::batch_answer_bytes);
   for (const char* wrong : {"", "\n\n", "[", "{}\n[]", R"({"energy": 3})"})
     EXPECT_EQ(of("/v1/batch", wrong).weight, Weight::light) << wrong;
 }
@@ -122,7 +146,7 @@ TEST(Appraisal, WhatCannotBeReadIsCheapUnlessItIsLarge) {
     EXPECT_EQ(found.weight, Weight::light) << body;
     EXPECT_GT(found.milliseconds, 0) << body;
   }
-  EXPECT_EQ(of("/v1/simulate", "{" + std::string(20000, ' ') + "}").weight, Weight::heavy);
+  EXPECT_EQ(of("/v1/simulate", "{" + std::string(40000, ' ') + "}").weight, Weight::heavy);
   EXPECT_EQ(of("/v1/simulate", std::string(limits::large_body_bytes + 1, ' ')).weight, Weight::light);
 }
 
