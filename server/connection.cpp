@@ -1,6 +1,8 @@
 #include "server/connection.hpp"
 
+#include <linux/sockios.h>
 #include <sys/epoll.h>
+#include <sys/ioctl.h>
 #include <sys/socket.h>
 
 #include <algorithm>
@@ -123,6 +125,11 @@ std::optional<Incoming> Connection::expire(Clock::time_point now) {
     return std::nullopt;
   }
   if (now < deadline_) return std::nullopt;
+  if (state_ == State::writing && taken() >= written_ + write_slice) {
+    written_ = taken();
+    deadline_ = now + patience_.write;
+    return std::nullopt;
+  }
   if (state_ == State::reading || (state_ == State::waiting && fresh_)) return begin(too_slow());
   close();
   return std::nullopt;
@@ -134,7 +141,7 @@ void Connection::deliver(Outgoing outgoing, Clock::time_point now) {
   state_ = State::writing;
   answered_ = now;
   deadline_ = now + patience_.write;
-  written_ = outgoing_.sent();
+  written_ = taken();
   write(now);
 }
 
@@ -144,10 +151,6 @@ void Connection::write(Clock::time_point now) {
       close();
       return;
     case Outgoing::Progress::blocked:
-      if (outgoing_.sent() >= written_ + write_slice) {
-        written_ = outgoing_.sent();
-        deadline_ = now + patience_.write;
-      }
       return;
     case Outgoing::Progress::done:
       break;
@@ -161,6 +164,14 @@ void Connection::write(Clock::time_point now) {
   } else {
     close();
   }
+}
+
+/// Bytes of the answer that have reached the client. What is sent may be megabytes that the kernel keeps, and
+/// it takes more only when a third of that is gone.
+std::size_t Connection::taken() const {
+  int kept = 0;
+  if (::ioctl(socket(), SIOCOUTQ, &kept) != 0 || kept < 0) return outgoing_.sent();
+  return outgoing_.sent() - std::min(outgoing_.sent(), static_cast<std::size_t>(kept));
 }
 
 void Connection::wait_for_next(Clock::time_point now) {

@@ -82,6 +82,7 @@ class Connection {
   std::optional<Incoming> read(Clock::time_point now);
   std::optional<Incoming> take_request(Clock::time_point now);
   void write(Clock::time_point now);
+  [[nodiscard]] std::size_t taken() const;
   void discard();
   void wait_for_next(Clock::time_point now);
   void linger(Clock::time_point now);
@@ -99,7 +100,7 @@ class Connection {
   std::optional<Budget::Share> body_share_;
   std::weak_ptr<Exchange> exchange_;
   std::optional<Clock::time_point> gone_at_;
-  std::size_t written_{0};    // bytes of the answer that had gone out when the deadline was set
+  std::size_t written_{0};    // bytes of the answer that the client had when the deadline was set
   std::size_t discarded_{0};  // while lingering
   Follow follow_{Follow::close};
   bool fresh_{true};     // no request has come yet

@@ -274,6 +274,19 @@ TEST(Transport, AReaderThatStopsIsCutOff) {
   EXPECT_EQ(server.transport().gauges().unsent_bytes, 0u);
 }
 
+TEST(Transport, AReaderThatIsSlowAndReadsIsNotCutOff) {
+  RunningTransport server(large_answer, {.port = 0, .patience = {.write = 300ms}});
+  const RawClient slow(server.port());
+  slow.send(close_after);
+  while (server.transport().gauges().unsent_bytes == 0) std::this_thread::yield();
+  std::size_t read = 0;
+  for (int i = 0; i < 40; ++i) {  // by less than the kernel waits for before it asks for more
+    read += slow.read_some(20'000);
+    std::this_thread::sleep_for(30ms);
+  }
+  EXPECT_GT(read + slow.read_large().size(), large.size());
+}
+
 TEST(Transport, WhereAnswersCrowdThoseWhoReadSlowlyAreCutOff) {
   RunningTransport server(
       large_answer, {.port = 0, .unsent_bytes = large.size(), .patience = {.write = 600s, .crowded = 100ms}});
