@@ -37,28 +37,29 @@ bool Lanes::none_may_step_aside(const State& lane) const {
 
 void Lanes::make_room(const std::function<bool()>& given_up) {
   RunningTask* const task = current_ == nullptr ? nullptr : current_->place();
-  if (task == nullptr || task->lane == Lane::lengthy || task->aside || task->done) return;
+  if (task == nullptr || task->lane == Lane::lengthy || task->done) return;
   const State& it = state(task->lane);
   // A task asks often; a thread of low priority must not have the lock that often, which others wait for.
   const auto is_misjudged = [&](double seconds) { return 1000 * seconds > misjudged * task->cost; };
   const double at_most = seconds_since(task->begun);
-  if (at_most < it.limits.longest_task || (none_may_step_aside(it) && !is_misjudged(at_most))) return;
+  const bool stays = task->aside || none_may_step_aside(it);
+  if (at_most < it.limits.longest_task || (stays && !is_misjudged(at_most))) return;
   const double took = processor_seconds() - task->had;
-  if (took < it.limits.longest_task || step_aside(*task) || !is_misjudged(took)) return;
-  change_lane(*current_, 1000 * took, given_up);
+  if (took < it.limits.longest_task) return;
+  if (is_misjudged(took) && change_lane(*current_, 1000 * took, given_up)) return;
+  step_aside(*task);
 }
 
-bool Lanes::step_aside(RunningTask& task) {
+void Lanes::step_aside(RunningTask& task) {
   State& it = state(task.lane);
   {
     const std::lock_guard lock(mutex_);
-    if (none_may_step_aside(it) || !add_worker(task.lane)) return false;
+    if (task.aside || none_may_step_aside(it) || !add_worker(task.lane)) return;
     ++it.aside;
     task.aside = task.is_replaced = true;
   }
   it.changed.notify_one();
   lower_priority();
-  return true;
 }
 
 /// A turn in the next lane, to be waited for; null where the task has to go on where it is. Called with the
@@ -71,7 +72,7 @@ std::shared_ptr<LentTurn> Lanes::leave(RunningTask& task, double milliseconds) {
                                     .bytes = place.bytes,
                                     .task = [this, turn] { lend(*turn); },
                                     .lends_its_turn = true});
-  if (!task.turn && !add_worker(task.lane)) {
+  if (!task.turn && !task.aside && !add_worker(task.lane)) {
     turn->state = LentTurn::State::given_up;
     return nullptr;
   }
@@ -81,6 +82,7 @@ std::shared_ptr<LentTurn> Lanes::leave(RunningTask& task, double milliseconds) {
     give_back(*task.turn);
   } else {
     it.running_cost -= task.cost;
+    if (task.aside) --it.aside;
     --it.running;
     ++it.elsewhere;
     task.done = task.is_replaced = true;
@@ -94,10 +96,11 @@ void Lanes::give_back(LentTurn& turn) {
   turn.changed.notify_all();
 }
 
-void Lanes::change_lane(RunningTask& task, double milliseconds, const std::function<bool()>& given_up) {
+/// False where it has to go on where it is.
+bool Lanes::change_lane(RunningTask& task, double milliseconds, const std::function<bool()>& given_up) {
   std::unique_lock lock(mutex_);
   const auto turn = leave(task, milliseconds);
-  if (!turn) return;
+  if (!turn) return false;
   const auto is_waited_for = [&] { return turn->state == LentTurn::State::waited_for; };
   ++turns_waited_for_;
   while (is_waited_for()) {
@@ -111,6 +114,7 @@ void Lanes::change_lane(RunningTask& task, double milliseconds, const std::funct
   if (turn->lent != nullptr) turn->lent->had = processor_seconds();
   lock.unlock();
   lower_priority();
+  return true;
 }
 
 /// By a thread of that lane.

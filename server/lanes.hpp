@@ -13,10 +13,10 @@
 // by the threads, times the seconds that a unit of cost takes. Each request tells its cost; only the pace is
 // measured.
 //
-// A cost is only thought, and may be wrong a hundredfold. What has taken longer than its lane is for lets
-// another task run beside it. When too many do so, and when it was far from what it was thought to be, it
-// waits in the next lane's queue like any other work there, in the middle of what it does (as in the
-// multilevel feedback queues of operating systems).
+// A cost is only thought, and may be wrong a hundredfold. What has taken far longer than it was thought to
+// take waits in the next lane's queue like any other work there, in the middle of what it does (as in the
+// multilevel feedback queues of operating systems). Beside what has only taken longer than others of its lane
+// should wait for, another one begins.
 //
 // A burst is no overload: what comes all at once to a lane that was idle may wait longer, because nothing
 // need follow it. It may wait as long as the lane can be done with all of it in a given time after it was
@@ -56,7 +56,7 @@ struct LanesOptions {
                    .burst_wait = 5,
                    .waiting = 1024,
                    .bytes = std::size_t{32} << 20,
-                   .longest_task = 0.5};
+                   .longest_task = 0.25};
   LaneLimits lengthy{.longest_wait = 1, .burst_wait = 5, .waiting = 1024};
 };
 
@@ -82,9 +82,10 @@ class Lanes {
   /// False when the lane is full; never waits.
   [[nodiscard]] bool submit(Lane lane, Work work);
 
-  /// A task calls this now and then. If it has run too long for its lane, another may run beside it from now
-  /// on: at most `threads` tasks of a lane step aside at a time, and of the lengthy lane none. If it is far
-  /// longer than its cost, too, this waits until its turn in the next lane has come, or until it is given up.
+  /// A task calls this now and then. If it has run too long for its lane, and far longer than its cost, this
+  /// waits until its turn in the next lane has come, or until it is given up. If it has only run too long,
+  /// another may run beside it from now on: at most `threads` tasks of a lane step aside at a time, and of
+  /// the lengthy lane none.
   void make_room(const std::function<bool()>& given_up);
 
   /// A task calls this just before its answer goes out: nothing waits for it any more. Its client's next
@@ -127,9 +128,10 @@ class Lanes {
   void enqueue(State& lane, Work work);
   void count_done(RunningTask& task, Outcome outcome);
   [[nodiscard]] bool none_may_step_aside(const State& lane) const;
-  [[nodiscard]] bool step_aside(RunningTask& task);
+  void step_aside(RunningTask& task);
   [[nodiscard]] std::shared_ptr<LentTurn> leave(RunningTask& task, double milliseconds);
-  void change_lane(RunningTask& task, double milliseconds, const std::function<bool()>& given_up);
+  [[nodiscard]] bool change_lane(RunningTask& task, double milliseconds,
+                                 const std::function<bool()>& given_up);
   void lend(LentTurn& turn);
   static void give_back(LentTurn& turn);
   [[nodiscard]] bool is_free(const State& lane) const;

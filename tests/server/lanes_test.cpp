@@ -252,25 +252,9 @@ void soon(const std::function<bool()>& is_so) {
   EXPECT_TRUE(is_so());
 }
 
-/// A task that is far longer than it was thought to be, beside others that have stepped aside.
+/// A task that is far longer than it was thought to be.
 class MisjudgedWork : public testing::Test {
  protected:
-  MisjudgedWork() {
-    for (const Lane lane : {Lane::light, Lane::heavy}) {
-      EXPECT_TRUE(lanes_.submit(lane, {.cost = as_thought, .task = [this] {
-                                         lanes_.make_room(never);
-                                         aside_.count_down();
-                                         released_.wait();
-                                       }}));
-    }
-    aside_.wait();
-  }
-  ~MisjudgedWork() override { release(); }
-
-  void release() {
-    if (!std::exchange(is_released_, true)) released_.count_down();
-  }
-
   void begin_misjudged(int rooms = 1, const std::function<bool()>& given_up = never) {
     EXPECT_TRUE(lanes_.submit(Lane::light, {.cost = 0, .task = [this, given_up, rooms] {
                                               for (int i = 0; i < rooms; ++i) {
@@ -289,9 +273,6 @@ class MisjudgedWork : public testing::Test {
   }
 
   Lanes lanes_{{.threads = 1, .light = hasty, .heavy = hasty, .lengthy = patient}};
-  std::latch aside_{2};
-  std::latch released_{1};
-  bool is_released_{false};
   std::atomic<int> went_on_{0};
 };
 
@@ -304,10 +285,8 @@ TEST_F(MisjudgedWork, WaitsInTheNextLane) {
   EXPECT_TRUE(lanes_.submit(Lane::light, {.task = [&] { light_began = true; }}));
   soon([&] { return light_began.load(); });
   EXPECT_EQ(went_on_, 0);
-  EXPECT_EQ(lanes_.gauges(Lane::light).running, 1u) << "the one that stepped aside";
   heavy.release();
   soon([&] { return went_on_ == 1; });
-  release();
   soon([&] { return has_nothing_of(Lane::heavy) && has_nothing_of(Lane::light); });
 }
 
@@ -322,7 +301,6 @@ TEST_F(MisjudgedWork, GoesOnToTheLastLane) {
   heavy.release();
   lengthy.release();
   soon([&] { return went_on_ == 20; });
-  release();
   lanes_.wait_until_idle();
   for (const Lane lane : all_lanes) EXPECT_TRUE(has_nothing_of(lane));
 }
@@ -336,13 +314,11 @@ TEST_F(MisjudgedWork, IsNotWaitedForWhenItIsGivenUp) {
   is_left = true;
   soon([&] { return went_on_ == 1; });
   heavy.release();
-  release();
   soon([&] { return has_nothing_of(Lane::heavy); });
 }
 
 TEST_F(MisjudgedWork, IsFinishedBeforeTheLanesEnd) {
   for (int i = 0; i < 50; ++i) begin_misjudged();
-  release();
   lanes_.wait_until_idle();
   EXPECT_EQ(went_on_, 50);
 }
