@@ -138,9 +138,10 @@ class PolynomialDerivation {
   }
 
   /// The numerator of g without what u it shares with the inertia: where both vanish, as with a mass of 0,
-  /// the accelerations go on as before.
+  /// the accelerations go on as before. Forces on a surface are not one for each equation.
   [[nodiscard]] Expression without_inertia(std::size_t equation, const Expression& g) const {
-    if (model_.has_constraints() || !depends_on(g, u_)) return g;
+    const bool is_one_each = forces_.size() == reduction_.equations.size();
+    if (model_.has_constraints() || !is_one_each || !depends_on(g, u_)) return g;
     Polynomial shared = rational_function(g).above;
     const Expression& row = reduction_.equations[equation];
     for (const Expression& x_ddot : reduction_.x_ddot) {

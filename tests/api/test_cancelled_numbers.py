@@ -75,6 +75,26 @@ class CancelledNumbers(Service):
                         self.assertLessEqual(abs(place["rate2"] - stiffness), place["rate2_error"])
                     self.assertIn(self.ask("turning_points", {"system": scene})["motion"], (None, "libration"))
 
+    def test_masses_that_are_all_rounding_make_no_motion_known(self):
+        """(q - 1.1)^2 multiplied out is a difference of numbers 1e18 times as large."""
+        known = 0
+        for size, q in (("1e1", "1.111211"), ("1e2", "1.1011211"), ("1e7", "1.100000011211"), ("1e9", "1.10000000011211")):
+            scene = lagrangian("ties", f"q 1 {q}", "x - 0.331 0.346; y - 0.678 -0.0877",
+                               "a*y_dot^2 + a*(x_dot-y_dot)^2/2 + x_dot^2 - (x-y)^2".replace("a", f"((q-1.1)*{size})^2"))
+            a = ((mpf(q) - mpf("1.1")) * mpf(size)) ** 2
+            rates = mp.matrix([[a + 2, -a], [-a, 3 * a]]) ** -1 * mp.matrix([[-2, 2], [2, -2]])
+            flow = mp.zeros(4)
+            flow[0, 2] = flow[1, 3] = 1
+            flow[2:4, 0:2] = rates
+            end = mp.expm(flow) * mp.matrix([mpf("0.331"), mpf("0.678"), mpf("0.346"), mpf("-0.0877")])
+            answer = self.numbers({"system": scene, "t_end": 1, "samples": 2})
+            errors = answer["accuracy"]["max_abs_error"]
+            known += errors is not None and errors["x"] < 1e-3
+            for name, true in zip(("x", "y", "x_dot", "y_dot"), end):
+                with self.subTest(size=size, name=name):
+                    self.assertTrue(errors is None or abs(answer["trajectory"][name][-1] - true) <= errors[name])
+        self.assertGreaterEqual(known, 2)
+
     def test_carts_on_one_spring_have_a_rigid_mode_exactly(self):
         scenes = (lagrangian("carts", "m 1 0.3; M 1 1.7; k 1 2.3", "x - 0 0; y - 0 0", "m*x_dot^2/2 + M*y_dot^2/2 - k*(x - y)^2/2"),
                   lagrangian("wheels", "r 1 0.3; R 1 0.7; k 1 2.3", "a 1 0 0; b 1 0 0", "a_dot^2/2 + b_dot^2/2 - k*(r*a + R*b)^2/2"),

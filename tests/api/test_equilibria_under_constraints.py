@@ -202,6 +202,16 @@ class Equilibria(Service):
                 self.assertEqual(len(answer["equilibria"]), len(true), seed)
         self.assertGreater(seen, 60)
 
+    def test_no_mass_lets_a_rolling_disk_lie_askew(self):
+        """Its forces on the surface are not one for each equation of motion."""
+        for name, place in (("euler_disk", {"x": 0, "y": 0, "phi": 0, "theta": 0.5, "psi": 0}), ("rattleback", None)):
+            with self.subTest(name):
+                self.assertEqual(self.post("equilibria", {"system": name, "solve_for": "m"}).status, 422)
+            if place is not None:
+                answer = self.ask("equilibria", {"system": name, "solve_for": "m", "at": place})
+                self.assertIsNone(answer["m"])
+                self.assertIn("0", answer["reason"])
+
     def test_where_constraints_meet_without_crossing_nothing_is_claimed(self):
         """Two spheres that touch: the gradients are parallel where they do."""
         scene = {"name": "touching", "units": "none", "coordinates": [{"name": x, "initial": "0"} for x in "xyz"],

@@ -6,7 +6,6 @@
 
 #include "core/compile/tape_evaluator.hpp"
 #include "core/numerics/ball.hpp"
-#include "core/numerics/linear_system.hpp"
 
 namespace qdot::taylor {
 namespace {
@@ -337,39 +336,6 @@ Rounding::Size Rounding::function(const Instruction& instruction, Slot x) const 
       break;  // a tape has them together
   }
   return {w, infinity};
-}
-
-/// M x = f: a change of f - M x by rho changes x as the remainder has it.
-void Rounding::apply_solve(const Instruction& instruction, const Slot* operand) {
-  const std::size_t n = instruction.linear;
-  if (n == 1) {
-    sizes_[instruction.out] = quotient(operand[1], operand[0], instruction.out);
-    return;
-  }
-  double of_determinant = 0;
-  if (instruction.has_determinant) {
-    const Slot determinant = *operand++;
-    of_determinant = sizes_[determinant].error / std::abs(slots_[determinant]);
-  }
-  for (std::size_t j = 0; j < n; ++j) {
-    const auto out = static_cast<Slot>(instruction.out + j);
-    sizes_[out].most = most(out, infinity);
-  }
-  std::array<double, largest_system> rho{}, error{};
-  for (std::size_t i = 0; i < n; ++i) {
-    const Size& f = sizes_[operand[n * n + i]];
-    rho[i] = f.error;
-    for (std::size_t j = 0; j < n; ++j) {
-      const Size& m = sizes_[operand[i * n + j]];
-      rho[i] +=
-          (m.error + static_cast<double>(n) * of_functions() * m.most) * sizes_[instruction.out + j].most;
-    }
-  }
-  remainder_.bound_solution_of(rows_[instruction.out], std::span(rho).first(n), std::span(error).first(n));
-  for (std::size_t j = 0; j < n; ++j) {
-    Size& x = sizes_[instruction.out + j];
-    x.error = known_or_infinite(error[j] + of_determinant * x.most);
-  }
 }
 
 }  // namespace qdot::taylor
