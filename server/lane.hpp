@@ -1,5 +1,5 @@
 #pragma once
-// The lanes of work (lanes.hpp).
+// The lanes of work, and how threads of heavy work stay behind light ones (lanes.hpp decides who computes).
 
 #include <array>
 
