@@ -83,8 +83,10 @@ void add_queue_time(double milliseconds, api::Response& response) {
 LanesOptions within_deadline(LanesOptions lanes, Clock::duration deadline) {
   constexpr double part_for_waiting = 0.6;
   const double longest = part_for_waiting * std::chrono::duration<double>(deadline).count();
-  for (LaneLimits* limits : {&lanes.light, &lanes.heavy, &lanes.lengthy})
+  for (LaneLimits* limits : {&lanes.light, &lanes.heavy, &lanes.lengthy}) {
     limits->burst_wait = std::min(limits->burst_wait, longest);
+    limits->done_within = std::chrono::duration<double>(deadline).count();
+  }
   return lanes;
 }
 
@@ -153,7 +155,8 @@ void Application::admit(Case& it) {
   it.lane = lane_of(it.appraisal, options_.lanes);
   Lanes::Work work{.cost = it.appraisal.milliseconds,
                    .bytes = it.lane == Lane::light ? 0 : it.appraisal.bytes,
-                   .task = [this, it]() mutable { compute(it); }};
+                   .task = [this, it]() mutable { compute(it); },
+                   .spreads = it.lane != Lane::light && it.appraisal.spreads};
   if (has_room(it.lane) && lanes_.submit(it.lane, std::move(work))) return;
   shed(it);
   if (it.lane == Lane::light) parts_.overloaded();

@@ -31,9 +31,7 @@ RunningTask* RunningTask::place() {
   return turn->state == LentTurn::State::taken ? turn->lent : nullptr;
 }
 
-bool Lanes::none_may_step_aside(const State& lane) const {
-  return lane.aside >= static_cast<std::size_t>(threads_);
-}
+bool Lanes::none_may_step_aside(const State& lane) const { return lane.aside >= threads_; }
 
 void Lanes::make_room(const std::function<bool()>& given_up) {
   RunningTask* const task = current_ == nullptr ? nullptr : current_->place();
@@ -56,6 +54,7 @@ void Lanes::step_aside(RunningTask& task) {
     const std::lock_guard lock(mutex_);
     if (task.aside || none_may_step_aside(it) || !add_worker(task.lane)) return;
     ++it.aside;
+    it.give_place_back(task);
     task.aside = task.is_replaced = true;
   }
   it.changed.notify_one();
@@ -83,6 +82,7 @@ std::shared_ptr<LentTurn> Lanes::leave(RunningTask& task, double milliseconds) {
   } else {
     it.running_cost -= task.cost;
     if (task.aside) --it.aside;
+    it.give_place_back(task);
     --it.running;
     ++it.elsewhere;
     task.done = task.is_replaced = true;

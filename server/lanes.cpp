@@ -17,16 +17,22 @@ constexpr double memory = 0.95;        // the weight that the past keeps after e
 
 thread_local RunningTask* Lanes::current_ = nullptr;
 
-double Lanes::State::expected_wait(int threads) const {
-  return (waiting_cost + running_cost) / threads * (recent_seconds / recent_cost);
+double Lanes::State::expected_wait(std::size_t threads) const {
+  return (waiting_cost + running_cost) / static_cast<double>(threads) * (recent_seconds / recent_cost);
 }
+
+double Lanes::State::time_of(const Work& work, std::size_t threads) const {
+  return work.cost / (work.spreads ? static_cast<double>(threads) : 1) * (recent_seconds / recent_cost);
+}
+
+void Lanes::State::give_place_back(RunningTask& task) { places -= std::exchange(task.places, 0); }
 
 double Lanes::State::longest_wait(Steady::time_point now) const {
   const std::chrono::duration<double> busy = now - idle;
   return std::max(limits.burst_wait - busy.count(), limits.longest_wait);
 }
 
-Lanes::Lanes(const LanesOptions& options) : threads_(options.threads) {
+Lanes::Lanes(const LanesOptions& options) : threads_(static_cast<std::size_t>(std::max(options.threads, 1))) {
   state(Lane::light).limits = options.light;
   state(Lane::heavy).limits = options.heavy;
   state(Lane::lengthy).limits = options.lengthy;
@@ -35,7 +41,7 @@ Lanes::Lanes(const LanesOptions& options) : threads_(options.threads) {
     lane.recent_seconds = assumed_cost * assumed_pace;
   }
   for (const Lane lane : all_lanes) {
-    for (int i = 0; i < threads_; ++i) workers_.emplace_back([this, lane] { work(lane); });
+    for (std::size_t i = 0; i < threads_; ++i) workers_.emplace_back([this, lane] { work(lane); });
   }
 }
 
@@ -48,19 +54,19 @@ Lanes::~Lanes() {
   for (State& lane : states_) lane.changed.notify_all();
 }
 
-bool Lanes::is_free(const State& lane) const {
-  return lane.running - lane.aside < static_cast<std::size_t>(threads_);
-}
-
 bool Lanes::submit(Lane lane, Work work) {
   State& it = state(lane);
   const std::lock_guard lock(mutex_);
-  const auto now = Steady::now();
-  const bool waits = !it.queue.empty() || !is_free(it);
-  if (waits && (it.queue.size() >= it.limits.waiting || it.expected_wait(threads_) > it.longest_wait(now)))
-    return false;
+  if (!has_room(it, work)) return false;
   enqueue(it, std::move(work));
   return true;
+}
+
+bool Lanes::has_room(const State& lane, const Work& work) const {
+  if (lane.queue.empty() && is_free(lane)) return true;
+  const double wait = lane.expected_wait(threads_);
+  return lane.queue.size() < lane.limits.waiting && wait <= lane.longest_wait(Steady::now()) &&
+         wait + lane.time_of(work, threads_) <= lane.limits.done_within;
 }
 
 void Lanes::enqueue(State& lane, Work work) {
@@ -120,9 +126,14 @@ bool Lanes::begin(Lane lane, std::unique_lock<std::mutex>& lock) {
   it.running_cost += work.cost;
   ++it.running;
   it.bytes += work.bytes;
+  const std::size_t places = work.spreads ? threads_ - it.places : 1;
+  it.places += places;
   lock.unlock();
-  RunningTask running{
-      .lane = lane, .cost = work.cost, .bytes = work.bytes, .tells_pace = !work.lends_its_turn};
+  RunningTask running{.lane = lane,
+                      .cost = work.cost,
+                      .bytes = work.bytes,
+                      .tells_pace = !work.lends_its_turn,
+                      .places = places};
   current_ = &running;
   work.task();
   work.task = nullptr;  // gives back what it held before the next one begins
@@ -140,7 +151,7 @@ void Lanes::end(RunningTask& task) {
   }
   it.bytes -= task.bytes;
   count_done(task, Outcome::computed);
-  --it.aside;
+  if (task.aside) --it.aside;
   if (--it.running == 0) it.running_cost = 0;
   if (task.bytes > 0) it.changed.notify_all();  // there is memory for others now
 }
@@ -150,8 +161,8 @@ void Lanes::count_done(RunningTask& task, Outcome outcome) {
   State& it = state(task.lane);
   it.running_cost -= task.cost;
   if (task.aside) return;  // its time says nothing about the pace of the others
-  ++it.aside;
-  const double took = seconds_since(task.begun);
+  const double took = seconds_since(task.begun) * static_cast<double>(task.places);
+  it.give_place_back(task);
   const bool is_part = outcome == Outcome::given_up && took * it.recent_cost < task.cost * it.recent_seconds;
   if (!task.tells_pace || is_part) return;
   it.recent_seconds = memory * it.recent_seconds + took;

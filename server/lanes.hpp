@@ -13,6 +13,9 @@
 // by the threads, times the seconds that a unit of cost takes. Each request tells its cost; only the pace is
 // measured.
 //
+// Work that spreads over all threads takes all places of its lane that are free: several beside each other
+// would all be done late.
+//
 // A cost is only thought, and may be wrong a hundredfold. What has taken far longer than it was thought to
 // take waits in the next lane's queue like any other work there, in the middle of what it does (as in the
 // multilevel feedback queues of operating systems). Beside what has only taken longer than others of its lane
@@ -31,6 +34,7 @@
 #include <cstddef>
 #include <deque>
 #include <functional>
+#include <limits>
 #include <list>
 #include <memory>
 #include <mutex>
@@ -43,8 +47,9 @@ namespace qdot::server {
 struct LaneLimits {
   double longest_wait{};  ///< seconds that the last entry of the queue may expect to wait
   double burst_wait{};    ///< or it may begin within this many seconds after the lane was idle
-  std::size_t waiting{};  ///< entries that the queue may have
-  std::size_t bytes{std::size_t{64} << 20};  ///< that its work may hold at a time
+  double done_within{std::numeric_limits<double>::infinity()};  ///< seconds that wait and work may come to
+  std::size_t waiting{};                                        ///< entries that the queue may have
+  std::size_t bytes{std::size_t{64} << 20};                     ///< that its work may hold at a time
   double longest_task{};  ///< seconds of a processor, after which a task makes room for others
 };
 
@@ -70,6 +75,7 @@ class Lanes {
     double cost{1};              ///< in milliseconds, roughly
     std::size_t bytes{0};        ///< bytes that it will hold
     Task task;                   ///< must not throw
+    bool spreads{false};         ///< over as many threads as the lane has
     bool lends_its_turn{false};  ///< to a task that has begun in another lane: its time tells no pace
   };
 
@@ -108,7 +114,8 @@ class Lanes {
     std::deque<Work> queue;
     std::condition_variable changed;
     std::size_t running{0};
-    std::atomic<std::size_t> aside{0};  // of those that run, the ones that others need not wait for
+    std::size_t places{0};              // that others wait for, taken by what runs
+    std::atomic<std::size_t> aside{0};  // tasks that have stepped aside
     std::size_t elsewhere{0};           // tasks that have changed to another lane, and their threads
     std::size_t bytes{0};               // held by what runs
     double running_cost{0}, waiting_cost{0};
@@ -116,7 +123,9 @@ class Lanes {
     // Recent work, older work counting less: the pace is their quotient.
     double recent_seconds{0}, recent_cost{0};
     [[nodiscard]] bool is_idle() const { return queue.empty() && running == 0 && elsewhere == 0; }
-    [[nodiscard]] double expected_wait(int threads) const;
+    [[nodiscard]] double expected_wait(std::size_t threads) const;
+    [[nodiscard]] double time_of(const Work& work, std::size_t threads) const;
+    void give_place_back(RunningTask& task);
     [[nodiscard]] double longest_wait(std::chrono::steady_clock::time_point now) const;
   };
 
@@ -134,13 +143,14 @@ class Lanes {
                                  const std::function<bool()>& given_up);
   void lend(LentTurn& turn);
   static void give_back(LentTurn& turn);
-  [[nodiscard]] bool is_free(const State& lane) const;
+  [[nodiscard]] bool has_room(const State& lane, const Work& work) const;
+  [[nodiscard]] bool is_free(const State& lane) const { return lane.places < threads_; }
   [[nodiscard]] bool next_may_begin(const State& lane) const;
   State& state(Lane lane) { return states_[static_cast<std::size_t>(lane)]; }
   [[nodiscard]] const State& state(Lane lane) const { return states_[static_cast<std::size_t>(lane)]; }
 
   static thread_local RunningTask* current_;  // the task of this thread, as it began
-  const int threads_;
+  const std::size_t threads_;
   mutable std::mutex mutex_;
   std::array<State, all_lanes.size()> states_;
   std::condition_variable idle_;

@@ -24,6 +24,7 @@ struct RunningTask {
   double cost;
   std::size_t bytes;
   bool tells_pace;
+  std::size_t places;  // of its lane
   Steady::time_point begun{Steady::now()};
   double had{processor_seconds()};  // seconds of a processor, before it began
   bool aside{false};

@@ -28,6 +28,8 @@ constexpr double per_event = 0.3;              // of the cost of the motion
 constexpr double longest = 3000;               // the limits of a run end it there
 constexpr double light = 10;                   // what costs more waits in the heavy lane
 constexpr std::size_t bytes_per_number = 100;  // while the answer is made
+constexpr double text_of_bytes = 0.18;         // of them, in the answer
+constexpr double most_compressed = 1 << 20, per_compressed_byte = 5e-5;
 
 /// A body above this size is not read for its appraisal: its size alone makes it expensive.
 constexpr std::size_t largest_read = 32 * 1024;
@@ -211,7 +213,8 @@ Appraisal of_lines(const Cost& cost, std::string_view body) {
   if (read == 0)
     return {.milliseconds = unread, .bytes = std::max(body.size() * bytes_per_number, unread_bytes)};
   return {.milliseconds = sum.milliseconds * lines / read,
-          .bytes = static_cast<std::size_t>(static_cast<double>(sum.bytes) * lines / read)};
+          .bytes = static_cast<std::size_t>(static_cast<double>(sum.bytes) * lines / read),
+          .spreads = lines > 1};
 }
 
 /// How many values a variable of a sweep has; `fields` are the variable's own or those of a query.
@@ -238,7 +241,7 @@ Appraisal of_rows(const Json& fields) {
   if (!asked.is_object()) return {};
   const Appraisal one = of_asked(asked);
   const double rows = std::min(rows_of_sweep(fields), static_cast<double>(limits::sweep_rows));
-  return {.milliseconds = one.milliseconds * rows, .bytes = one.bytes};
+  return {.milliseconds = one.milliseconds * rows, .bytes = one.bytes, .spreads = rows > 1};
 }
 
 /// Of a check: for each item what it takes to read and to compare, and the answer that it is held against.
@@ -282,12 +285,21 @@ Appraisal of_request(const Cost& cost, const Request& request) {
   return fields ? of_question(cost, *fields) : Appraisal{.milliseconds = cost.milliseconds};
 }
 
+/// Of a long answer that the client wants compressed, as far as answers are (server/engine.cpp).
+double compression(const Request& request, std::size_t bytes) {
+  const auto accepted = request.headers.find("accept-encoding");
+  if (accepted == request.headers.end() || accepted->second.find("gzip") == std::string::npos) return 0;
+  const double text = static_cast<double>(bytes) * text_of_bytes;
+  return text < most_compressed ? text * per_compressed_byte : 0;
+}
+
 }  // namespace
 
 Appraisal appraise(const Route& route, const Request& request) {
   Appraisal result{.milliseconds = route.cost.milliseconds};
   if (request.body.size() <= limits::large_body_bytes)  // else it is refused by its size
     result = of_request(route.cost, request);
+  result.milliseconds += compression(request, result.bytes);
   result.route = route.pattern;
   result.weight = result.milliseconds > light ? Weight::heavy : Weight::light;
   return result;

@@ -44,6 +44,7 @@ struct Appraisal {
   std::string_view route{"none"};
   double milliseconds{1};
   std::size_t bytes{0};  ///< of memory while it is answered, where they are many
+  bool spreads{false};   ///< over threads, because it is made of many
   Weight weight{Weight::light};
 };
 

@@ -204,6 +204,42 @@ constexpr double as_thought = 1e9;  // so costly that it does not take longer
 
 bool never() { return false; }
 
+TEST(Lanes, WhatSpreadsTakesAllPlacesThatAreFree) {
+  Lanes lanes({.threads = 2});
+  std::latch begun{1}, released{1};
+  EXPECT_TRUE(lanes.submit(Lane::lengthy, {.task =
+                                               [&] {
+                                                 begun.count_down();
+                                                 released.wait();
+                                               },
+                                           .spreads = true}));
+  begun.wait();
+  Occupied second(lanes, Lane::lengthy);
+  std::this_thread::sleep_for(20ms);
+  EXPECT_FALSE(second.has_begun());
+  released.count_down();
+  second.wait_until_begun();
+  std::latch beside{1};
+  EXPECT_TRUE(lanes.submit(Lane::lengthy, {.task = [&] { beside.count_down(); }, .spreads = true}));
+  beside.wait();  // in the place that was free
+  second.release();
+  lanes.wait_until_idle();
+  std::vector<Occupied> both;
+  for (int i = 0; i < 2; ++i) both.emplace_back(lanes, Lane::lengthy).wait_until_begun();
+  for (Occupied& one : both) one.release();
+}
+
+TEST(Lanes, WhatCouldNotBeDoneInTimeIsTurnedAway) {
+  Lanes lanes({.threads = 1, .heavy = {.longest_wait = 1e9, .done_within = 1, .waiting = 100}});
+  Occupied first(lanes, Lane::heavy);
+  first.wait_until_begun();
+  // Nothing was measured yet: a unit of cost counts as a millisecond.
+  EXPECT_TRUE(lanes.submit(Lane::heavy, {.cost = 500, .task = [] {}}));
+  EXPECT_FALSE(lanes.submit(Lane::heavy, {.cost = 500, .task = [] {}})) << "behind 501 ms";
+  EXPECT_TRUE(lanes.submit(Lane::heavy, {.cost = 400, .task = [] {}}));
+  first.release();
+}
+
 class WhereTasksMayStepAside : public testing::TestWithParam<Lane> {};
 INSTANTIATE_TEST_SUITE_P(Lanes, WhereTasksMayStepAside, testing::Values(Lane::light, Lane::heavy));
 

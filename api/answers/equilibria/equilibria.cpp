@@ -324,6 +324,7 @@ Endpoint equilibria_endpoint() {
   return {.name = "equilibria",
           .help = "All equilibria, or the parameter that makes a position one",
           .question = question(equilibria_table(), answer_equilibria),
+          .cost = {.milliseconds = 1},
           .other_names = {"equilibrium", "fixed_points", "statics", "steady"}};
 }
 

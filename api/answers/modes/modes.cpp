@@ -357,6 +357,7 @@ Endpoint modes_endpoint() {
   return {.name = "modes",
           .help = "Equilibrium, natural frequencies and mode shapes",
           .question = question(modes_table(), answer_modes),
+          .cost = {.milliseconds = 1},
           .other_names = {"mode", "normal_modes", "frequencies", "frequency", "natural_frequencies",
                           "eigenmodes", "eigenvalues", "linearize", "vibrations"}};
 }

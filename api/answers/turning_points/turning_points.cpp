@@ -377,7 +377,7 @@ Endpoint turning_points_endpoint() {
   return {.name = "turning_points",
           .help = "The largest and the least value of a coordinate",
           .question = question(turning_points_table(), answer_turning_points),
-          .cost = {.motion = Cost::Motion::up_to_t_end},
+          .cost = {.milliseconds = 5, .motion = Cost::Motion::up_to_t_end},
           .example = example_of_turning_points,
           .other_names = {"turning_point", "theta_max", "amplitude", "extrema", "turning"}};
 }

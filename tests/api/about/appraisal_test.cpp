@@ -47,6 +47,16 @@ TEST(Appraisal, SoDoRowsColumnsEventsAndDearMethods) {
   EXPECT_GT(large.bytes, std::size_t{10} << 20);
 }
 
+TEST(Appraisal, SoDoesCompression) {
+  const std::string body = motion(R"("t_end": 1, "samples": 4000)");
+  EXPECT_EQ(of("/v1/simulate", body).weight, Weight::light);
+  const auto compressed = appraise(route_to("/v1/simulate"), {.method = "POST",
+                                                              .target = "/v1/simulate",
+                                                              .headers = {{"accept-encoding", "gzip, br"}},
+                                                              .body = body});
+  EXPECT_EQ(compressed.weight, Weight::heavy);
+}
+
 TEST(Appraisal, BothRoadsAreAppraisedAlike) {
   const auto body = of("/v1/simulate", motion(R"("t_end": "2 min", "samples": 300)"));
   const auto query = of_query("system=cart_pendulum&t_end=2%20min&samples=300");
@@ -110,6 +120,8 @@ TEST(Appraisal, ASweepCostsWhatItsRowsCost) {
   const auto grid = sweep(R"({"k": {"from": 1, "to": 2, "count": 20}, "m": {"values": [1, 2, 3]}})");
   EXPECT_NEAR(grid.milliseconds, 60 * one, one);
   EXPECT_EQ(grid.weight, Weight::heavy);
+  EXPECT_TRUE(grid.spreads);
+  EXPECT_FALSE(of("/v1/simulate", motion(R"("t_end": 1000)")).spreads);
   EXPECT_NEAR(sweep(R"({"k": {"uniform": [1, 2]}}, "count": 50)").milliseconds, 50 * one, one);
   EXPECT_LT(sweep(R"({"k": {"from": 1, "to": 2, "count": 1e300}})").milliseconds, 1e6);
   for (const char* wrong : {"null", "{}", "[]", "3", R"({"k": 3})"}) EXPECT_GT(sweep(wrong).milliseconds, 0);
