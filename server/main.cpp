@@ -22,6 +22,7 @@
 #include "server/output.hpp"
 #include "server/probe.hpp"
 #include "server/serve.hpp"
+#include "server/standard_streams.hpp"
 #include "server/usage.hpp"
 #include "server/variant.hpp"
 
@@ -119,7 +120,7 @@ void add_batch(CLI::App& app, BatchOptions& options, Action& action) {
   command.add_option("file", options.file, "File with the lines; without it or as -, stdin");
   command.add_option("--jobs", options.jobs, "Lines that are answered at a time (default: cores)")
       ->check(CLI::Range(1, max_threads));
-  command.add_option("--output", options.output, "File for the answers instead of stdout");
+  command.add_option("--output", options.output, "File for the answers; without it or as -, stdout");
   command.add_flag(
       "--resume", options.resume,
       "Go on behind the answers that the output has already; the ids of the lines are compared, and the last answer");
@@ -209,6 +210,7 @@ int report(const std::exception& error, ExitCode code) {
 }  // namespace
 
 int main(int argc, char** argv) {
+  keep_closed_standard_streams();
   std::signal(SIGXFSZ, SIG_IGN);  // a file that may not grow is an error of writing
   CLI::App app("Lagrangian mechanics: trajectories and equations with errors that can be believed", "qdot");
   app.set_version_flag("--version", "qdot " + std::string(qdot::api::service_version()));
