@@ -1,7 +1,6 @@
 // The command line of qdot: what may be typed. What a command does is in serve, commands and probe.
 
 #include <CLI/CLI.hpp>
-#include <algorithm>
 #include <chrono>
 #include <csignal>
 #include <cstdlib>
@@ -193,10 +192,10 @@ ExitCode print_usage(const CLI::App& app, const CLI::ParseError& error) {
 ExitCode run_words(CLI::App& app, std::vector<std::string> words, const Action& action) {
   words = in_known_words(app, std::move(words));
   check_words(app, words);
-  std::ranges::reverse(words);  // the order in which CLI11 wants them
   try {
-    app.parse(words);
+    app.parse(std::vector(words.rbegin(), words.rend()));  // the order in which CLI11 wants them
   } catch (const CLI::ParseError& error) {
+    for (const CLI::App* command : app.get_subcommands()) blame_environment(*command, error, words);
     return print_usage(app, error);
   }
   return action();
@@ -215,6 +214,7 @@ int main(int argc, char** argv) {
   CLI::App app("Lagrangian mechanics: trajectories and equations with errors that can be believed", "qdot");
   app.set_version_flag("--version", "qdot " + std::string(qdot::api::service_version()));
   app.require_subcommand(1);
+  app.immediate_callback();  // so that the environment of a command that was not typed stops no other
   ServeOptions serve_options;
   Arguments arguments;
   BatchOptions batch_options;
