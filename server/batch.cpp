@@ -10,6 +10,8 @@
 #include <cerrno>
 #include <csignal>
 #include <iostream>
+#include <memory>
+#include <mutex>
 #include <optional>
 #include <thread>
 #include <utility>
@@ -47,16 +49,28 @@ void leave_signals_to_one_thread() {
 }
 
 /// Waits for a signal in a thread of its own, because the others may be computing, or waiting for a pipe.
-void end_on_signal(BatchOutput& output, const BatchProgress& progress) {
-  std::thread([&output, &progress, signals = stopping_signals()] {
-    int signal = 0;
-    sigwait(&signals, &signal);
-    output.close();
-    std::cerr << "\nStopped after " << progress.state().lines << " lines"
-              << (output.can_be_resumed() ? "; --resume goes on there." : ".") << std::endl;
-    _exit(static_cast<int>(ExitCode::stopped) + signal);
-  }).detach();
-}
+/// Whichever comes first, the signal or the end of the batch, locks the mutex, and the other waits for the
+/// end of the process: what the thread looks at may be gone.
+class EndOnSignal {
+ public:
+  EndOnSignal(BatchOutput& output, const BatchProgress& progress) {
+    std::thread([&output, &progress, ending = ending_, signals = stopping_signals()] {
+      int signal = 0;
+      sigwait(&signals, &signal);
+      ending->lock();
+      output.close();
+      std::cerr << "\nStopped after " << progress.state().lines << " lines"
+                << (output.can_be_resumed() ? "; --resume goes on there." : ".") << std::endl;
+      _exit(static_cast<int>(ExitCode::stopped) + signal);
+    }).detach();
+  }
+  ~EndOnSignal() { ending_->lock(); }
+  EndOnSignal(const EndOnSignal&) = delete;
+  EndOnSignal& operator=(const EndOnSignal&) = delete;
+
+ private:
+  std::shared_ptr<std::mutex> ending_{std::make_shared<std::mutex>()};
+};
 
 bool is_standard_stream(const std::string& file) { return file.empty() || file == "-"; }
 
@@ -132,7 +146,7 @@ ExitCode run_batch(const BatchOptions& options) {
   BatchOutput output(path, start, input.get());
   leave_signals_to_one_thread();  // until here, where it may wait for a reader, they simply end it
   BatchProgress progress(size_of(input.get()), output.is_terminal());
-  end_on_signal(output, progress);
+  const EndOnSignal end_on_signal(output, progress);
   LineReader reader(input.get(), api::longest_batch_line());
   const api::Work bounds = options.bounded ? api::Work::bounded : api::Work::unbounded;
   const auto answer = [&](const InputLine& line) { return answer_to(line, service, bounds); };

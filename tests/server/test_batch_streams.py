@@ -1,12 +1,13 @@
 """qdot batch writes to a pipe or a device as to stdout, and no command takes a file for a standard stream."""
 
 import os
+import random
 import signal
 import subprocess
 import time
 import unittest
 
-from running_qdot import ENVIRONMENT, QDOT, qdot
+from running_qdot import ENVIRONMENT, QDOT, SANITIZED, qdot
 from test_batch import QUESTIONS, Batch, line, lines
 
 MORE_THAN_A_PIPE_HOLDS = 400  # lines have answers of some 2 kB
@@ -95,6 +96,21 @@ class Pipes(Streams):
         self.assertEqual(shell('"$0" batch in --output - --resume', cwd=self.directory.name).returncode, 2)
         shell('"$0" batch in --output ./-', cwd=self.directory.name)
         self.assertEqual(self.read(self.path("-")), run.stdout)
+
+
+class Ends(Batch):
+    def test_a_signal_may_come_while_a_batch_ends(self):
+        moments = random.Random(5)
+        for _ in range(20 if SANITIZED else 100):
+            with subprocess.Popen([QDOT, "batch"], stdin=subprocess.PIPE, stdout=subprocess.PIPE, stderr=subprocess.PIPE,
+                                  env=ENVIRONMENT) as process:
+                process.stdin.write(line(1, *QUESTIONS[0]).encode())
+                process.stdin.flush()
+                process.stdout.readline()
+                process.stdin.close()
+                time.sleep(moments.uniform(0, 0.003))
+                process.terminate()
+                self.assertIn(process.wait(20), (0, 128 + signal.SIGTERM), process.stderr.read())
 
 
 class ClosedStreams(Streams):
