@@ -7,8 +7,11 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <cerrno>
 #include <csignal>
 #include <iostream>
+#include <memory>
+#include <mutex>
 #include <optional>
 #include <thread>
 #include <utility>
@@ -46,19 +49,33 @@ void leave_signals_to_one_thread() {
 }
 
 /// Waits for a signal in a thread of its own, because the others may be computing, or waiting for a pipe.
-void end_on_signal(BatchOutput& output, const BatchProgress& progress, bool can_be_resumed) {
-  std::thread([&output, &progress, signals = stopping_signals(), can_be_resumed] {
-    int signal = 0;
-    sigwait(&signals, &signal);
-    output.close();
-    std::cerr << "\nStopped after " << progress.state().lines << " lines"
-              << (can_be_resumed ? "; --resume goes on there." : ".") << std::endl;
-    _exit(static_cast<int>(ExitCode::stopped) + signal);
-  }).detach();
-}
+/// Whichever comes first, the signal or the end of the batch, locks the mutex, and the other waits for the
+/// end of the process: what the thread looks at may be gone.
+class EndOnSignal {
+ public:
+  EndOnSignal(BatchOutput& output, const BatchProgress& progress) {
+    std::thread([&output, &progress, ending = ending_, signals = stopping_signals()] {
+      int signal = 0;
+      sigwait(&signals, &signal);
+      ending->lock();
+      output.close();
+      std::cerr << "\nStopped after " << progress.state().lines << " lines"
+                << (output.can_be_resumed() ? "; --resume goes on there." : ".") << std::endl;
+      _exit(static_cast<int>(ExitCode::stopped) + signal);
+    }).detach();
+  }
+  ~EndOnSignal() { ending_->lock(); }
+  EndOnSignal(const EndOnSignal&) = delete;
+  EndOnSignal& operator=(const EndOnSignal&) = delete;
+
+ private:
+  std::shared_ptr<std::mutex> ending_{std::make_shared<std::mutex>()};
+};
+
+bool is_standard_stream(const std::string& file) { return file.empty() || file == "-"; }
 
 Descriptor descriptor_of(const std::string& file) {
-  if (file.empty() || file == "-") {
+  if (is_standard_stream(file)) {
     if (::isatty(STDIN_FILENO) != 0)
       throw UsageError("name a file of requests, a line each, or give them on stdin");
     return Descriptor(::dup(STDIN_FILENO));
@@ -67,11 +84,11 @@ Descriptor descriptor_of(const std::string& file) {
 }
 
 Descriptor opened(const std::string& file) {
-  const std::string name = file.empty() || file == "-" ? "stdin" : file;
+  const std::string name = is_standard_stream(file) ? "stdin" : file;
   Descriptor descriptor = descriptor_of(file);
-  struct stat status {};
-  if (::fstat(descriptor.get(), &status) != 0) throw UsageError("cannot read " + name);
-  if (S_ISDIR(status.st_mode)) throw UsageError(name + " is a directory, and no file of lines");
+  const bool can_be_read = ::read(descriptor.get(), nullptr, 0) == 0;
+  if (!can_be_read && errno == EISDIR) throw UsageError(name + " is a directory, and no file of lines");
+  if (!can_be_read) throw UsageError("cannot read " + name);
   return descriptor;
 }
 
@@ -120,15 +137,16 @@ int threads_of(const BatchOptions& options) {
 }  // namespace
 
 ExitCode run_batch(const BatchOptions& options) {
-  if (options.resume && options.output.empty()) throw UsageError("--resume needs --output FILE");
+  const std::string path = is_standard_stream(options.output) ? "" : options.output;
+  if (options.resume && path.empty()) throw UsageError("--resume needs --output FILE");
   ::mallopt(M_ARENA_MAX, 4);  // what one thread frees, others use
   const Descriptor input = opened(options.file);
-  leave_signals_to_one_thread();
   const api::Service service({.scenes_directory = options.scenes});
   const auto start = options.resume ? BatchOutput::Start::where_it_ended : BatchOutput::Start::anew;
-  BatchOutput output(options.output, start, input.get());
+  BatchOutput output(path, start, input.get());
+  leave_signals_to_one_thread();  // until here, where it may wait for a reader, they simply end it
   BatchProgress progress(size_of(input.get()), output.is_terminal());
-  end_on_signal(output, progress, !options.output.empty());
+  const EndOnSignal end_on_signal(output, progress);
   LineReader reader(input.get(), api::longest_batch_line());
   const api::Work bounds = options.bounded ? api::Work::bounded : api::Work::unbounded;
   const auto answer = [&](const InputLine& line) { return answer_to(line, service, bounds); };

@@ -10,7 +10,7 @@ namespace qdot::server {
 
 struct BatchOptions {
   std::string file{};    ///< lines to answer; stdin where it is empty or "-"
-  std::string output{};  ///< where the answers go; stdout where it is empty
+  std::string output{};  ///< where the answers go; stdout where it is empty or "-"
   bool resume{false};    ///< goes on behind the answers that `output` has already
   int jobs{0};           ///< lines that are answered at a time; 0 means the number of cores
   std::string scenes{};  ///< a directory of more scenes; may be empty

@@ -19,6 +19,16 @@ namespace {
   throw std::system_error(errno, std::generic_category(), what);
 }
 
+/// Whoever could read a pipe of answers would be its reader: nobody else would be waited for, or missed.
+int way_of_opening(BatchOutput::Start start) {
+  return start == BatchOutput::Start::where_it_ended ? O_RDWR : O_WRONLY;
+}
+
+bool is_file(int descriptor) {
+  struct stat status {};
+  return ::fstat(descriptor, &status) == 0 && S_ISREG(status.st_mode);
+}
+
 /// Of links, too, and however it was opened.
 bool are_one_file(int input, int output) {
   struct stat read {};
@@ -32,7 +42,7 @@ bool are_one_file(int input, int output) {
 BatchOutput::BatchOutput(const std::string& path, Start start, int input)
     : start_(start), descriptor_(STDOUT_FILENO) {
   if (!path.empty()) {
-    file_ = Descriptor(::open(path.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666));
+    file_ = Descriptor(::open(path.c_str(), way_of_opening(start) | O_CREAT | O_CLOEXEC, 0666));
     descriptor_ = file_.get();
     if (descriptor_ < 0) throw UsageError("cannot write " + path);
   }
@@ -40,10 +50,10 @@ BatchOutput::BatchOutput(const std::string& path, Start start, int input)
     throw UsageError(
         "the answers would be written over the lines that are read: give them a file of their own");
   if (path.empty()) return;
-  if (::flock(descriptor_, LOCK_EX | LOCK_NB) != 0) throw UsageError("another batch writes " + path);
-  struct stat status {};
-  can_be_cut_ = ::fstat(descriptor_, &status) == 0 && S_ISREG(status.st_mode);
-  if (!can_be_cut_ && start == Start::where_it_ended)
+  is_named_file_ = is_file(descriptor_);
+  if (is_named_file_ && ::flock(descriptor_, LOCK_EX | LOCK_NB) != 0)
+    throw UsageError("another batch writes " + path);
+  if (!is_named_file_ && start == Start::where_it_ended)
     throw UsageError(path + " is no file that a batch could be resumed with");
 }
 
@@ -63,7 +73,7 @@ bool BatchOutput::ends_with(std::string_view text, std::uint64_t kept) const {
 
 void BatchOutput::begin(std::uint64_t kept) {
   const auto end = static_cast<off_t>(kept);
-  if (can_be_cut_ && (::ftruncate(descriptor_, end) != 0 || ::lseek(descriptor_, end, SEEK_SET) < 0))
+  if (is_named_file_ && (::ftruncate(descriptor_, end) != 0 || ::lseek(descriptor_, end, SEEK_SET) < 0))
     throw_errno("cannot go to the end of the answers");
 }
 
@@ -78,7 +88,7 @@ void BatchOutput::write(std::string_view text) {
 }
 
 void BatchOutput::finish() {
-  if (can_be_cut_ && ::fsync(descriptor_) != 0) refuse_to_lose("the answers");
+  if (is_named_file_ && ::fsync(descriptor_) != 0) refuse_to_lose("the answers");
 }
 
 void BatchOutput::close() {

@@ -17,8 +17,9 @@ class BatchOutput {
  public:
   enum class Start { anew, where_it_ended };
 
-  /// stdout where `path` is empty. Nothing of a file that is there is changed before begin(). Throws
-  /// UsageError for a file that cannot be written, that another batch writes, or that `input` is read from.
+  /// stdout where `path` is empty. Nothing of a file that is there is changed before begin(). Waits until
+  /// somebody reads a named pipe. Throws UsageError for a file that cannot be written, that another batch
+  /// writes, or that `input` is read from.
   BatchOutput(const std::string& path, Start start, int input);
 
   /// The answers that are there already; nothing where the batch begins anew.
@@ -31,6 +32,9 @@ class BatchOutput {
   void begin(std::uint64_t kept);
 
   [[nodiscard]] bool is_terminal() const;
+
+  /// Whether it is a file that was named: of stdout, a pipe or a device nothing is found again.
+  [[nodiscard]] bool can_be_resumed() const { return is_named_file_; }
 
   /// Writes whole lines. Throws std::system_error.
   void write(std::string_view text);
@@ -45,7 +49,7 @@ class BatchOutput {
   Start start_;
   Descriptor file_;
   int descriptor_;
-  bool can_be_cut_{false};
+  bool is_named_file_{false};
   std::timed_mutex writing_;
 };
 

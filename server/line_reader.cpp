@@ -33,6 +33,8 @@ std::optional<InputLine> LineReader::next() {
 void LineReader::take(std::size_t count, InputLine& line) {
   line.bytes += count;
   line.is_overlong = line.bytes > longest_;
+  line.nuls +=
+      static_cast<std::uint64_t>(std::ranges::count(block_.data() + at_, block_.data() + at_ + count, '\0'));
   line.text.append(block_, at_, std::min(count, longest_ - line.text.size()));
   at_ += count;
 }

@@ -14,6 +14,7 @@ struct InputLine {
   bool is_overlong{false};  ///< it has more bytes than a line may have
   bool is_ended{false};     ///< by a newline, which the last one may lack
   std::uint64_t bytes{0};   ///< of the input, its newline included
+  std::uint64_t nuls{0};    ///< bytes among them that are NUL
 };
 
 class LineReader {

@@ -1,7 +1,6 @@
 // The command line of qdot: what may be typed. What a command does is in serve, commands and probe.
 
 #include <CLI/CLI.hpp>
-#include <algorithm>
 #include <chrono>
 #include <csignal>
 #include <cstdlib>
@@ -22,6 +21,7 @@
 #include "server/output.hpp"
 #include "server/probe.hpp"
 #include "server/serve.hpp"
+#include "server/standard_streams.hpp"
 #include "server/usage.hpp"
 #include "server/variant.hpp"
 
@@ -119,7 +119,7 @@ void add_batch(CLI::App& app, BatchOptions& options, Action& action) {
   command.add_option("file", options.file, "File with the lines; without it or as -, stdin");
   command.add_option("--jobs", options.jobs, "Lines that are answered at a time (default: cores)")
       ->check(CLI::Range(1, max_threads));
-  command.add_option("--output", options.output, "File for the answers instead of stdout");
+  command.add_option("--output", options.output, "File for the answers; without it or as -, stdout");
   command.add_flag(
       "--resume", options.resume,
       "Go on behind the answers that the output has already; the ids of the lines are compared, and the last answer");
@@ -192,10 +192,10 @@ ExitCode print_usage(const CLI::App& app, const CLI::ParseError& error) {
 ExitCode run_words(CLI::App& app, std::vector<std::string> words, const Action& action) {
   words = in_known_words(app, std::move(words));
   check_words(app, words);
-  std::ranges::reverse(words);  // the order in which CLI11 wants them
   try {
-    app.parse(words);
+    app.parse(std::vector(words.rbegin(), words.rend()));  // the order in which CLI11 wants them
   } catch (const CLI::ParseError& error) {
+    for (const CLI::App* command : app.get_subcommands()) blame_environment(*command, error, words);
     return print_usage(app, error);
   }
   return action();
@@ -209,10 +209,12 @@ int report(const std::exception& error, ExitCode code) {
 }  // namespace
 
 int main(int argc, char** argv) {
+  keep_closed_standard_streams();
   std::signal(SIGXFSZ, SIG_IGN);  // a file that may not grow is an error of writing
   CLI::App app("Lagrangian mechanics: trajectories and equations with errors that can be believed", "qdot");
   app.set_version_flag("--version", "qdot " + std::string(qdot::api::service_version()));
   app.require_subcommand(1);
+  app.immediate_callback();  // so that the environment of a command that was not typed stops no other
   ServeOptions serve_options;
   Arguments arguments;
   BatchOptions batch_options;

@@ -30,9 +30,10 @@ std::string plain_text(const Json& value) {
   return text;
 }
 
-/// {"text": "g/(2*l)", "latex": ..., "assumes": [...]}
+/// {"text": "g/(2*l)", "latex": ..., "assumes": [...]}; a schema has members of these names that are no
+/// texts.
 bool is_formula(const Json& value) {
-  return value.is_object() && value.contains("text") && value.contains("latex");
+  return value.is_object() && value.contains("latex") && value.contains("text") && value["text"].is_string();
 }
 
 /// "g/(2*l), shape x = 1, theta = 1/l, assumes l > 0": what a person reads, so without LaTeX.

@@ -28,6 +28,8 @@ struct Resumed {
 
 /// Reads over the answers and the lines that they answer. Two answers are not kept, and can only be the last:
 /// one that was torn, and that to a line which could not be read, because it may have been half a line then.
+/// A machine that fell may have left NULs, which no answer has, where it had not written yet: an answer is
+/// torn there, and what is behind is not kept either.
 /// `id_of` is the id of a line as it is written. Throws UsageError where the answers are not those to the
 /// lines.
 [[nodiscard]] Resumed resumed(LineReader& answers, LineReader& lines,

@@ -1,6 +1,5 @@
 #include "server/serve.hpp"
 
-#include <fcntl.h>
 #include <malloc.h>
 #include <pthread.h>
 #include <unistd.h>
@@ -91,14 +90,6 @@ void log_configuration(RequestLog& log, const ServeOptions& options, const Trans
                             {"connections", transport.connections}});
 }
 
-/// A client's socket must not get the number of a standard stream that was closed: the log would go there.
-void open_standard_streams() {
-  int descriptor = 0;
-  do descriptor = ::open("/dev/null", O_RDWR);
-  while (descriptor >= 0 && descriptor <= STDERR_FILENO);
-  if (descriptor > STDERR_FILENO) ::close(descriptor);
-}
-
 /// Makes the allocator give memory back after a large answer, and lets threads share what they have freed.
 /// But they must not share too much: where a thread of low priority is stopped while it holds the lock of an
 /// arena, light work that needs this arena waits until the thread goes on. So there is about one for each
@@ -133,7 +124,6 @@ void serve(const ServeOptions& given) {
   const auto signals = ending_signals();
   pthread_sigmask(SIG_BLOCK, &signals, nullptr);
   std::signal(SIGPIPE, SIG_IGN);
-  open_standard_streams();
   keep_memory_small();
 
   RequestLog log(STDERR_FILENO);

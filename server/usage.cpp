@@ -105,6 +105,11 @@ bool serves_with(std::string_view option) {
   return std::ranges::find(all, option) != all.end();
 }
 
+/// Nothing of "---".
+std::string without_dashes(const std::string& name) {
+  return name.substr(std::min(name.find_first_not_of('-'), name.size()));
+}
+
 /// "--k=10", or "--k" before "10".
 [[noreturn]] void refuse_option(const CLI::App& command, WordSpan words) {
   const std::string& word = words[0];
@@ -115,19 +120,20 @@ bool serves_with(std::string_view option) {
   if (command.get_parent() == nullptr && serves_with(name))
     throw UsageError(what + " before a command: type qdot serve " +
                      api::printable(words.size() > 1 ? word + " " + words[1] : word));
-  if (const std::string_view form = form_called(name.substr(name.find_first_not_of('-'))); !form.empty())
+  const std::string field = without_dashes(name);
+  if (const std::string_view form = form_called(field); !form.empty())
     throw UsageError(what + "; type form=" + std::string(form));
   std::vector<std::string> known;
   for (const CLI::Option* option : command.get_options())
     if (option->nonpositional()) known.push_back("--" + option->get_single_name());
-  const std::string field = name.substr(name.find_first_not_of('-'));
   const bool is_field = is_field_of(command.get_name(), field);
   if (const std::string near = api::closest(name, known); !is_field && !near.empty() && near.size() > 4)
     throw UsageError(what + "; did you mean " + near + "?");
   if (command.get_parent() == nullptr)
     throw UsageError(what + "; there are " + api::enumerated(known) + ", and each command has its own");
-  if (std::ranges::find(commands_of_a_server, command.get_name()) != commands_of_a_server.end())
-    throw UsageError(what + "; there are " + api::enumerated(known));
+  const bool is_server =
+      std::ranges::find(commands_of_a_server, command.get_name()) != commands_of_a_server.end();
+  if (is_server || field.empty()) throw UsageError(what + "; there are " + api::enumerated(known));
   std::string value = word.find('=') == std::string::npos ? "" : word.substr(word.find('=') + 1);
   if (value.empty() && words.size() > 1 && !words[1].starts_with('-')) value = words[1];
   throw UsageError(
@@ -198,6 +204,19 @@ void check_words(const CLI::App& app, const std::vector<std::string>& words) {
     check_value(*option, WordSpan(words).subspan(i));
     const bool takes_next = option->get_items_expected_max() > 0 && word.find('=') == std::string::npos;
     if (takes_next) ++i;
+  }
+}
+
+void blame_environment(const CLI::App& command, const CLI::ParseError& error,
+                       const std::vector<std::string>& words) {
+  const std::string_view what = error.what();
+  for (const CLI::Option* option : command.get_options()) {
+    const std::string name = "--" + option->get_single_name();
+    const bool is_typed = std::ranges::any_of(
+        words, [&](const std::string& word) { return word == name || word.starts_with(name + "="); });
+    if (!is_typed && !option->get_envname().empty() && what.starts_with(name + ": "))
+      throw UsageError("of the environment, " + option->get_envname() +
+                       " is wrong: " + std::string(what.substr(name.size() + 2)));
   }
 }
 

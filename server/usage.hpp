@@ -16,4 +16,8 @@ namespace qdot::server {
 /// for one that is empty.
 void check_words(const CLI::App& app, const std::vector<std::string>& words);
 
+/// Throws UsageError where what CLI11 has found wrong was not typed: it came from the environment.
+void blame_environment(const CLI::App& command, const CLI::ParseError& error,
+                       const std::vector<std::string>& words);
+
 }  // namespace qdot::server

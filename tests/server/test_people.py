@@ -74,6 +74,11 @@ class Text(unittest.TestCase):
                 missing = [leaf for leaf in leaves(answer) if leaf not in text]
                 self.assertEqual(missing, [])
 
+    def test_a_document_for_programs_is_text_too(self):
+        text = qdot("openapi", "--format", "table").stdout.decode()
+        for path in json.loads(qdot("openapi").stdout)["paths"]:
+            self.assertIn(f"{path}\n", text)
+
     def test_columns_can_be_plotted_as_they_are(self):
         text = qdot("simulate", "spring_pendulum", "t_end=2", "samples=9", "--format", "table").stdout.decode()
         answer = json.loads(qdot("simulate", "spring_pendulum", "t_end=2", "samples=9", "digits=8").stdout)
@@ -131,6 +136,26 @@ class Advice(unittest.TestCase):
             run = qdot("serve", "--port", str(taken.getsockname()[1]))
         self.assertEqual(run.returncode, 2)
         self.assertIn(b"--port 0", run.stderr)
+
+    def test_a_word_of_dashes_alone_is_no_option(self):
+        for word in ("---", "----", "--=", "-=", "--=3"):
+            for words in ((), ("modes", "cart_pendulum"), ("serve",), ("batch",), ("systems",), ("manual",)):
+                with self.subTest(words=words, word=word):
+                    run = qdot(*words, word)
+                    self.assertEqual((run.returncode, run.stdout), (2, b""))
+                    self.assertIn("there is no option", run.stderr.decode())
+
+    def test_a_variable_of_the_environment_is_named_and_stops_no_other_command(self):
+        """Kubernetes sets QDOT_PORT beside a service that is called qdot."""
+        port = {"QDOT_PORT": "tcp://10.96.0.12:80"}
+        for variable, typed in ((port, []), ({"QDOT_THREADS": "abc"}, ["--port", "0"]), ({"QDOT_DEADLINE": "-1"}, [])):
+            name, value = *variable.keys(), *variable.values()
+            run = qdot("serve", *typed, **variable)
+            self.assertEqual(run.returncode, 2)
+            self.assertIn(f"{name} is wrong: Value {value} not in range", run.stderr.decode())
+            self.assertEqual(qdot("modes", "cart_pendulum", **variable).returncode, 0)
+        run = qdot("serve", "--port", "99999", **port)
+        self.assertTrue(run.stderr.startswith(b"--port: Value 99999 not in range"), run.stderr)
 
     def test_help_has_the_symbols_of_a_system(self):
         text = qdot("modes", "cart_pendulum", "--help").stdout.decode()

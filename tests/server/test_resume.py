@@ -41,7 +41,7 @@ class Resume(Batch):
 
     def test_files_that_no_batch_has_written_are_left_alone(self):
         for text in ("my only line", "my first line\nmy second", '{"title": "mine"}', '{"id": 0, "status": 3}',
-                     '{"id":0,"modes":{}', '{"id":1,"sta', "[", "\n", "\n{", "\0"):
+                     '{"id":0,"modes":{}', '{"id":1,"sta', "[", "\n", "\n{", "\0\n", "\0{", '{\0"\0', '{"id":0,\0\n'):
             with self.subTest(text=text):
                 self.refused(lines(5), self.path("out", text))
         self.refused("", self.path("out", '{"id":0,'))
@@ -61,6 +61,35 @@ class Resume(Batch):
                     run = qdot("batch", self.path("in", text), "--output", target, "--resume")
                     self.assertEqual((run.returncode, run.stderr), (0, b""))
                     self.assertEqual(self.read(target), self.read(whole))
+
+    def test_what_a_machine_that_fell_had_not_written_is_done_again(self):
+        """A file may have grown before its bytes came to the disk; they are NULs then."""
+        source, target, whole = self.path("in", lines(20)), self.path("out"), self.path("whole")
+        qdot("batch", source, "--output", whole)
+        answers = self.read(whole)
+        begin, end = answers.index(b'{"id":7,'), answers.index(b'{"id":8,')
+        for written in (0, 1, 12, begin - 1, begin, begin + 1, begin + 12, end - 1, len(answers) - 1, len(answers)):
+            for nuls, behind in ((1, b""), (5000, b""), (100000, b""), (30, answers[written + 30:])):
+                if behind and written < begin:
+                    continue  # what it is cannot be told before there are answers
+                with self.subTest(written=written, nuls=nuls, behind=len(behind)):
+                    with open(target, "wb") as file:
+                        file.write(answers[:written] + nuls * b"\0" + behind)
+                    run = qdot("batch", source, "--output", target, "--resume")
+                    self.assertEqual((run.returncode, run.stderr), (0, b""))
+                    self.assertEqual(self.read(target), answers)
+
+    def test_a_long_first_answer_that_was_written_in_part_is_done_again(self):
+        source = self.path("in", line(0, "simulate", {"system": "spring_pendulum", "t_end": 1, "samples": 500}) + lines(3))
+        target, whole = self.path("out"), self.path("whole")
+        qdot("batch", source, "--output", whole)
+        answers = self.read(whole)
+        for hole in (range(5000, len(answers)), range(5000, 9096)):
+            with open(target, "wb") as file:
+                file.write(answers[:hole.start] + len(hole) * b"\0" + answers[hole.stop:])
+            run = qdot("batch", source, "--output", target, "--resume")
+            self.assertEqual((run.returncode, run.stderr), (0, b""))
+            self.assertEqual(self.read(target), answers)
 
     def test_ids_are_those_of_the_answers_as_they_are_written(self):
         text = "".join(f'{{"energy": {{"system": "kepler"}}, "id": {id_}}}\n' for id_ in
