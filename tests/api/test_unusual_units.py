@@ -27,6 +27,19 @@ def swung(t):
     return 5 * 2 * half * mp.sqrt(1 - half ** 2)
 
 
+def stiffening(length, rate, **options):
+    """A spring that stiffens, x'' = -w^2 (x + x^3/l^2), over some swings."""
+    scene = lagrangian("spring", f"l 1 {length!r}; w 1 {rate!r}", f"x - {0.8 * length!r} 0", "x_dot^2/2 - w^2*x^2/2 - w^2*x^4/(4*l^2)")
+    return {"system": scene, "t_end": 10 / rate, "samples": 3, **options}
+
+
+def stiffened(request, t):
+    """Its x, by Jacobi's functions: A cn(W t), W^2 = w^2 (1 + (A/l)^2)."""
+    (length, rate), start = (p["default"] for p in request["system"]["parameters"]), request["system"]["coordinates"][0]["initial"]
+    part = (mpf(start) / mpf(length)) ** 2
+    return mpf(start) * mp.ellipfun("cn", mpf(rate) * mp.sqrt(1 + part) * mpf(t), m=part / (2 * (1 + part)))
+
+
 class UnusualUnits(Service):
     def test_a_mass_on_a_rod_swings_whatever_its_unit(self):
         for mass in MASSES:
@@ -37,6 +50,27 @@ class UnusualUnits(Service):
                     self.assertLess(error, 1e-9)
                     # beside the rounding of the printed digits, where the error is below it
                     self.assertLessEqual(abs(answer["trajectory"]["x"][-1] - swung(1)), error + 1e-15)
+
+    def test_accuracy_is_met_whatever_the_unit_of_length(self):
+        """At the rate of molecules velocities are large where places are small."""
+        for length, rate in [(length, 1.3) for length in (1.0, 1e-5, 1e-9, 1e-12, 1e-15, 1e-40)] + [(1e-10, 1e13)]:
+            for accuracy in ("fast", "balanced", "accurate"):
+                with self.subTest(length=length, rate=rate, accuracy=accuracy):
+                    request = stiffening(length, rate, accuracy=accuracy)
+                    answer = self.ask("simulate", request)
+                    self.assertTrue(answer["accuracy"]["meets_request"], answer["accuracy"])
+                    error = answer["accuracy"]["max_abs_error"]["x"]
+                    for x, t in zip(answer["trajectory"]["x"], answer["trajectory"]["t"]):
+                        self.assertLessEqual(abs(mpf(x) - stiffened(request, t)), error)
+
+    def test_a_column_much_smaller_than_another_is_resolved(self):
+        """An angle, and beside it a displacement of a picometre that is faster."""
+        scene = lagrangian("both", "l 1 1e-12; w 1 13", "a 1 0.5 0; x - 0.8e-12 0",
+                           "a_dot^2/2 + cos(a) + x_dot^2/2 - w^2*x^2/2 - w^2*x^4/(4*l^2)")
+        answer = self.ask("simulate", {"system": scene, "t_end": 10, "samples": 3, "accuracy": "accurate"})
+        self.assertTrue(answer["accuracy"]["meets_request"], answer["accuracy"])
+        true = stiffened(stiffening(1e-12, 13), 10)
+        self.assertLessEqual(abs(answer["trajectory"]["x"][-1] - true), answer["accuracy"]["max_abs_error"]["x"])
 
     def test_constraints_that_touch_determine_nothing_whatever_the_unit_of_mass(self):
         for mass in MASSES:
