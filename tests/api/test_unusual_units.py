@@ -40,6 +40,23 @@ def stiffened(request, t):
     return mpf(start) * mp.ellipfun("cn", mpf(rate) * mp.sqrt(1 + part) * mpf(t), m=part / (2 * (1 + part)))
 
 
+def orbit(mass, strength, r, speed):
+    """About a charge that pulls with k/r^2, from where it is farthest."""
+    scene = lagrangian("orbit", f"m 1 {mass!r}; k 1 {strength!r}", f"x - {r!r} 0; y - 0 {speed!r}",
+                       "m*(x_dot^2 + y_dot^2)/2 + k/sqrt(x^2 + y^2)")
+    return {"system": scene}
+
+
+def orbited(mass, strength, r, speed, t):
+    """Its x and y, by Kepler's equation."""
+    mu, r, speed = mpf(strength) / mpf(mass), mpf(r), mpf(speed)
+    e = 1 - r * speed ** 2 / mu
+    a = r / (1 + e)
+    phase = mp.pi + mp.sqrt(mu / a ** 3) * mpf(t)
+    angle = mp.findroot(lambda x: x - e * mp.sin(x) - phase, phase)
+    return a * (e - mp.cos(angle)), -a * mp.sqrt(1 - e ** 2) * mp.sin(angle)
+
+
 class UnusualUnits(Service):
     def test_a_mass_on_a_rod_swings_whatever_its_unit(self):
         for mass in MASSES:
@@ -71,6 +88,19 @@ class UnusualUnits(Service):
         self.assertTrue(answer["accuracy"]["meets_request"], answer["accuracy"])
         true = stiffened(stiffening(1e-12, 13), 10)
         self.assertLessEqual(abs(answer["trajectory"]["x"][-1] - true), answer["accuracy"]["max_abs_error"]["x"])
+
+    def test_an_electron_orbits_in_seconds(self):
+        """And a motion as fast as in a nucleus. Coefficients of order 20 are beyond doubles there."""
+        for start, period in (((9.11e-31, 2.307e-28, 5.29e-11, 1.5e6), 1e-16), ((1.67e-27, 2.307e-28, 1e-15, 1e7), 1e-22)):
+            for options in ({}, {"accuracy": "fast"}, {"accuracy": "accurate"}, {"method": "adams"}, {"rtol": 1e-14}):
+                for t in (2.5 * period, 10 * period):
+                    with self.subTest(start=start, t=t, **options):
+                        answer = self.ask("simulate", {**orbit(*start), "t_end": t, "samples": 2, **options})
+                        self.assertEqual(answer["status"], "complete")
+                        errors = answer["accuracy"]["max_abs_error"]
+                        self.assertLess(errors["x"], 1e-3 * start[2])
+                        for name, true in zip("xy", orbited(*start, t)):
+                            self.assertLessEqual(abs(mpf(answer["trajectory"][name][-1]) - true), errors[name])
 
     def test_constraints_that_touch_determine_nothing_whatever_the_unit_of_mass(self):
         for mass in MASSES:
