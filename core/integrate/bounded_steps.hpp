@@ -30,6 +30,9 @@ class BoundedSteps {
   /// n components, series of the given order.
   BoundedSteps(const RightHandSide& system, const RunRequest& request, std::size_t n, unsigned order);
 
+  /// Of series from the next on; before a first step.
+  void take_order(unsigned order) { order_ = order; }
+
   struct Bound {
     double h{};
     bool found{};

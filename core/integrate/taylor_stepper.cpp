@@ -18,6 +18,9 @@
 namespace qdot {
 namespace {
 
+/// At a start, of the order that is taken: room for a motion that becomes faster.
+constexpr double largest_first_coefficient = 1e200;
+constexpr unsigned lowest_order_taken = 8;
 constexpr int attempts = 60;            ///< at one step, each half as long
 constexpr double largest_defect = 1e3;  ///< of an unbounded step, at its end, in units of the tolerance
 /// Of the length wanted: most steps of a reference are then found short enough by the first and cheapest
@@ -47,6 +50,7 @@ class TaylorStepper final : public Stepper {
     if (steps_ == 0) {
       if (const auto spent = limit()) return spent;
       if (const auto failed = expand(t_, y_, next_)) return failed;
+      if (const auto failed = fit_order()) return failed;
     }
     weigh();
     const double wanted = step_length(next_, order_, weights_);
@@ -143,6 +147,25 @@ class TaylorStepper final : public Stepper {
     const auto trouble = trouble_of(system_.expansion(t, y, order_, coefficients));
     if (trouble) trouble_ = trouble;
     return trouble;
+  }
+
+  /// Before the first step: of a motion as fast as an electron's, in seconds, coefficients of high order
+  /// leave the range of doubles. Series then end before that.
+  std::optional<Ending> fit_order() {
+    const auto fits = [this](unsigned k) {
+      for (std::size_t i = 0; i < y_.size(); ++i) {
+        if (!(std::abs(coefficient(next_, i, k)) <= largest_first_coefficient)) return false;
+      }
+      return true;
+    };
+    unsigned order = 1;
+    while (order < order_ && fits(order + 1)) ++order;
+    if (order == order_ || order < lowest_order_taken) return std::nullopt;
+    order_ = order;
+    bounds_.take_order(order);
+    for (std::vector<double>* series : {&coefficients_, &next_, &beyond_})
+      series->assign(y_.size() * (order_ + 1), 0.0);
+    return expand(t_, y_, next_);
   }
 
   /// c_i,k of the expansion at the current state.

@@ -9,6 +9,9 @@
 // Jorba, Zou, Experimental Mathematics 14 (2005) 99, section 3 (with a scale for each component instead of
 // one norm, so that units do not matter).
 //
+// N is less where coefficients at the start would leave the range of doubles: of an electron's orbit in
+// seconds they grow by 1e16 an order.
+//
 // From rtol = 1e-14 on the last terms are far below round-off, 1e-18: otherwise what each step cuts off adds
 // up always the same way, where the roundings of many steps go to and fro.
 //

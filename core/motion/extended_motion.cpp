@@ -139,7 +139,7 @@ ExtendedRun extended_states(const ExtendedSystem& system, const ExtendedMotionRe
                                .t_end = request.grid.empty() ? request.t_start : request.grid.back(),
                                .order = request.taylor_order > 0 ? request.taylor_order : order,
                                .lower_order = is_full ? 0 : lower_order_of_mixed,
-                               .tolerances = {rtol, rtol * 1e-3},
+                               .tolerances = {rtol, rtol * request.atol_over_rtol},
                                .limits = request.limits};
   return integrate(system, run, request.grid);
 }

@@ -22,7 +22,8 @@ struct ExtendedMotionRequest {
   DoubleDouble t_start;
   std::vector<DoubleDouble> grid;  ///< increasing, from t_start on; the motion ends with it
   Form form{Form::mixed};
-  double rtol{};                ///< of a step; 0: round-off of the form. Absolutely, a thousandth of it
+  double rtol{};  ///< of a step; 0: round-off of the form
+  double atol_over_rtol{1e-3};
   unsigned taylor_order{};      ///< 0: by the tolerance
   bool look_for_hidden{false};  ///< bound what lies between the places that are looked at
   bool follow_rounding{false};  ///< and what rounding inside of forces makes of the motion

@@ -40,7 +40,10 @@ class Ladder {
         next = tighter_tolerances(next, excess_);
         continue;
       }
-      if (keep_best() || now().max_abs_error.empty() || next.rtol <= tightest_tolerance) break;
+      if (keep_best() || now().max_abs_error.empty()) break;
+      const double too_large = measurement_.resolve_columns();
+      if (next.rtol <= tightest_tolerance && too_large == 1) break;
+      excess_ /= too_large;
       const auto wanted = tighter(next);
       if (!wanted) break;
       next = *wanted;

@@ -10,6 +10,7 @@
 #include "core/motion/conditions_at_stop.hpp"
 #include "core/motion/error_growth.hpp"
 #include "core/motion/hidden_impacts.hpp"
+#include "core/motion/resolved_size.hpp"
 #include "core/motion/rounded_events.hpp"
 #include "core/motion/rounded_forces.hpp"
 #include "core/motion/row_errors.hpp"
@@ -56,7 +57,23 @@ Measurement::Measurement(const Dynamics& dynamics, const SimulationRequest& requ
       goal_(goal),
       grid_(request),
       is_stiff_(damping_times_span(dynamics, request.parameters, request.t_start, request.y_start,
-                                   request.t_end - request.t_start) > stiff) {}
+                                   request.t_end - request.t_start) > stiff),
+      size_(resolved_size(request.y_start)) {}
+
+double Measurement::resolve_columns() {
+  if (goal_.kind != AccuracyGoal::Kind::relative) return 1;
+  const std::vector<double>& error = result_.max_abs_error;
+  const std::vector<double> wanted = wanted_for(error), size = largest_magnitudes(motion(), Rows::wanted);
+  const auto [rtol, atol] = result_.tolerances;
+  double times = 1;
+  for (std::size_t k = 0; k < error.size(); ++k) {
+    const double resolved = std::max(size[k], least_size);
+    if (size[k] == 0 || !(error[k] > wanted[k]) || atol <= rtol * resolved) continue;
+    size_ = std::min(size_, resolved);
+    times = std::max(times, atol / (rtol * resolved));
+  }
+  return times;
+}
 
 std::uint64_t Measurement::left() const {
   const std::uint64_t allowed =
@@ -64,9 +81,11 @@ std::uint64_t Measurement::left() const {
   return allowed - std::min(allowed, spent_);
 }
 
-void Measurement::take(const Tolerances& tolerances) {
+void Measurement::take(Tolerances tolerances) {
   SimulationRequest request = request_;
   request.grid = grid_.t;
+  if (goal_.kind != AccuracyGoal::Kind::tolerances)
+    tolerances.atol = std::min(tolerances.atol, tolerances.rtol * size_);
   request.tolerances = tolerances;
   request.notes_approaches = goal_.verify;
   if (is_stiff_ && request.method == Method::taylor) request.method = Method::bdf;
@@ -323,10 +342,16 @@ bool Measurement::rests_within_rounding() const {
   return !at_rest.empty();
 }
 
-/// The largest error in units of what is wanted; 1 is met.
-double Measurement::excess(const std::vector<double>& error) const {
+/// The same, once the errors are known.
+std::vector<double> Measurement::wanted_for(const std::vector<double>& error) const {
   std::vector<double> wanted = this->wanted();
   if (goal_.kind == AccuracyGoal::Kind::relative) forgive_rounding_of_zeros(error, wanted);
+  return wanted;
+}
+
+/// The largest error in units of what is wanted; 1 is met.
+double Measurement::excess(const std::vector<double>& error) const {
+  const std::vector<double> wanted = wanted_for(error);
   double largest = 0;
   for (std::size_t k = 0; k < error.size(); ++k) {
     if (error[k] > 0) largest = std::max(largest, error[k] / wanted[k]);

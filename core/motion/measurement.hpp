@@ -19,8 +19,9 @@ class Measurement {
   /// Keeps the references.
   Measurement(const Dynamics& dynamics, const SimulationRequest& request, const AccuracyGoal& goal);
 
-  /// A run with these tolerances, whose error is not known yet.
-  void take(const Tolerances& tolerances);
+  /// A run with these tolerances, whose error is not known yet. Where a goal decides them, none hides the
+  /// motion: atol <= rtol size, of the start and of what resolve_columns() found.
+  void take(Tolerances tolerances);
   /// Its error, or why there is none. A check that shows early that the run does not do is given up where
   /// that is allowed: there is only expected_excess() then.
   enum class GivesUp { never, where_it_pays };
@@ -32,6 +33,9 @@ class Measurement {
   /// The largest error in units of what is wanted; 1 is met.
   [[nodiscard]] double excess() const { return excess(result_.max_abs_error); }
   [[nodiscard]] std::optional<double> expected_excess() const { return expected_excess_; }
+  /// Of columns that are to be known relative to their size, and are not, because atol hides them: from now
+  /// on it does not. Returns how many times it has been too large, at least 1.
+  double resolve_columns();
   /// What is conserved has changed.
   [[nodiscard]] bool contradicts() const { return contradicts_; }
   /// Round-off was not measured for lack of work.
@@ -60,6 +64,7 @@ class Measurement {
                                               OtherWays ways);
   [[nodiscard]] std::vector<double> wanted() const;
   void forgive_rounding_of_zeros(const std::vector<double>& error, std::vector<double>& wanted) const;
+  [[nodiscard]] std::vector<double> wanted_for(const std::vector<double>& error) const;
   [[nodiscard]] double excess(const std::vector<double>& error) const;
 
   const Dynamics& dynamics_;
@@ -67,6 +72,7 @@ class Measurement {
   const AccuracyGoal& goal_;
   DenseGrid grid_;
   bool is_stiff_;  ///< explicit methods are of no use
+  double size_;    ///< of what steps are to resolve
   std::optional<EventRows> event_rows_;
   MeasuredSimulation result_;
   bool may_give_up_{false};

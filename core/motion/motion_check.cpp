@@ -39,6 +39,7 @@ constexpr double at_an_end = 1e-9;           ///< of the span: there an event ma
 /// Of what a component passed on the way: as much the coefficients that stay doubles may have in common with
 /// those of the motion. A component that is small again after a pulse has it still.
 constexpr double common_rounding = 0x1p-53;
+constexpr double much_less = 0.9;  ///< is an atol that is chosen for a small motion, than that of any other
 constexpr std::uint64_t cost_of_digits = 3;  ///< of an evaluation in double-doubles
 constexpr std::uint64_t cost_of_all_digits = 12;
 
@@ -98,8 +99,11 @@ Tolerances tolerances_of_check(const ComputedMotion& motion) {
   const MethodRecord& first = record_of(motion.simulation.method);
   // What a fixed step comes to is not known before: its check is as tight as can be.
   const double factor = first.has_fixed_step() ? 0 : first.expands() ? rung : check_of_others;
-  return {std::max(least, motion.tolerances.rtol * factor),
-          std::max(motion.tolerances.atol * factor, least * 1e-3)};
+  const double rtol = std::max(least, motion.tolerances.rtol * factor);
+  const double least_atol = least * 1e-3;
+  if (motion.tolerances.atol < least_atol)  // of a motion that is small itself
+    return {rtol, motion.tolerances.atol * (rtol / motion.tolerances.rtol)};
+  return {rtol, std::max(motion.tolerances.atol * factor, least_atol)};
 }
 
 /// Whether the check keeps what is conserved so much better than the motion does that what it is off by
@@ -320,6 +324,8 @@ SharperMotion in_more_digits(const ComputedMotion& motion, std::uint64_t evaluat
       extended_request(motion.request.parameters, start_as_typed(motion.dynamics, motion.request),
                        motion.request.t_start, instants);
   request.look_for_hidden = true;
+  const auto [rtol, atol] = motion.tolerances;
+  if (atol < much_less * rtol * request.atol_over_rtol) request.atol_over_rtol = atol / rtol;
   request.limits.max_evaluations = evaluations_left / cost_of_digits;
   std::optional<ExtendedRun> found = extended_states_of(first, motion.dynamics, request);
   if (!found) return {};

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "core/numerics/lost_pivot.hpp"
+
 namespace qdot {
 
 bool factor_linear(std::size_t n, std::span<DoubleDouble> m, RowOrder& row) noexcept {
@@ -17,7 +19,10 @@ bool factor_linear(std::size_t n, std::span<DoubleDouble> m, RowOrder& row) noex
     }
     std::swap(row[k], row[best]);
     const DoubleDouble diagonal = m[row[k] * n + k];
-    if (!(std::abs(diagonal.high) > lost * scale[row[k]])) return false;  // also when it is not a number
+    const double pivot = std::abs(diagonal.high);
+    if (!(pivot > lost * scale[row[k]]) &&
+        !(pivot > lost * size_in_pivot(n, k, row, [m](std::size_t at) { return m[at].high; })))
+      return false;  // also when it is not a number
     for (std::size_t i = k + 1; i < n; ++i) {
       const DoubleDouble factor = m[row[i] * n + k] / diagonal;
       m[row[i] * n + k] = factor;

@@ -9,7 +9,7 @@
 namespace qdot {
 
 /// Replaces M (n x n, by rows) by its triangular factors. False when a pivot is lost in round-off:
-/// |pivot| <= 4 n 2^-104 of its row's scale.
+/// |pivot| <= 4 n 2^-104 of its row's scale and of what it is the sum of (lost_pivot.hpp).
 [[nodiscard]] bool factor_linear(std::size_t n, std::span<DoubleDouble> m, RowOrder& row) noexcept;
 
 /// Replaces one right-hand side b by the solution x, with the factors of M.

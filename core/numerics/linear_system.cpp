@@ -7,6 +7,7 @@
 #include <type_traits>
 
 #include "core/numerics/constants.hpp"
+#include "core/numerics/lost_pivot.hpp"
 
 namespace qdot {
 namespace {
@@ -35,6 +36,15 @@ void pivot(Size n, std::size_t k, std::span<const double> m, const Scale& scale,
   std::swap(row[k], row[best]);
 }
 
+/// Of rounding, which is `lost` of what it is the sum of; of its row's scale first, which takes no time.
+template <class Size>
+bool is_pivot_lost(Size n, std::size_t k, std::span<const double> m, const Scale& scale, const RowOrder& row,
+                   double lost) {
+  const double pivot = std::abs(m[row[k] * n + k]);
+  if (pivot > lost * scale[row[k]]) return false;
+  return !(pivot > lost * size_in_pivot(n, k, row, [m](std::size_t at) { return m[at]; }));  // nor a number
+}
+
 template <class Size>
 bool factor_rows(Size n, std::span<double> m, RowOrder& row) {
   Scale scale;
@@ -43,8 +53,8 @@ bool factor_rows(Size n, std::span<double> m, RowOrder& row) {
   for (std::size_t i = 0; i < n; ++i) row[i] = i;
   for (std::size_t k = 0; k < n; ++k) {
     pivot(n, k, m, scale, row);
+    if (is_pivot_lost(n, k, m, scale, row, lost)) return false;
     const double diagonal = m[row[k] * n + k];
-    if (!(std::abs(diagonal) > lost * scale[row[k]])) return false;  // also when it is not a number
     for (std::size_t i = k + 1; i < n; ++i) {
       const double factor = m[row[i] * n + k] / diagonal;
       m[row[i] * n + k] = factor;

@@ -1,17 +1,12 @@
 #pragma once
 // M x = b for the few unknowns of a mechanical system.
 
-#include <array>
 #include <cstddef>
 #include <span>
 
+#include "core/numerics/row_order.hpp"
+
 namespace qdot {
-
-/// Twelve coordinates and eight constraints.
-inline constexpr std::size_t largest_system = 20;
-
-/// The order of the rows that pivoting chose.
-using RowOrder = std::array<std::size_t, largest_system>;
 
 /// Replaces M (n x n, by rows) by its triangular factors. False as for solve_linear.
 [[nodiscard]] bool factor_linear(std::size_t n, std::span<double> m, RowOrder& row) noexcept;
@@ -22,8 +17,8 @@ void substitute_linear(std::size_t n, std::span<const double> m, const RowOrder&
 
 /// Solves M x = b for each right-hand side, M given by rows (n x n), b and x by right-hand sides (k x n).
 /// Gaussian elimination with row pivoting scaled by the rows' largest entries (Golub and Van Loan, Matrix
-/// Computations, 4th ed., 3.4). False when a pivot is lost in round-off:
-/// |pivot| <= 4 n eps of its row's scale.
+/// Computations, 4th ed., 3.4). False when a pivot is lost in round-off: |pivot| <= 4 n eps of its row's
+/// scale and of what it is the sum of (lost_pivot.hpp), which no choice of units changes.
 [[nodiscard]] bool solve_linear(std::size_t n, std::span<double> m, std::span<double> b) noexcept;
 
 /// Matrices middle + sum_k w_k moving_k + E over all |w_k| <= 1 and |E| <= radius in each entry, n x n by

@@ -106,6 +106,47 @@ TEST(LinearSystem, IsCalledSingularWhereItsLastDigitsAreLost) {
   EXPECT_FALSE(solved(MatrixXd::Zero(3, 3), MatrixXd::Ones(3, 1)).has_value());
 }
 
+/// [M A^T; A 0], two constraints of four coordinates whose masses have the unit `mass`; A b = b where `b` is
+/// that of other constraints, and none where there is none.
+MatrixXd with_constraints(test::Random& random, double mass, bool dependent) {
+  const MatrixXd root = random_matrix(random, 4, 4);
+  MatrixXd slopes = random_matrix(random, 2, 4);
+  if (dependent) slopes.row(1) = random.real(0.3, 3) * slopes.row(0);  // to round-off
+  MatrixXd m = MatrixXd::Zero(6, 6);
+  m.topLeftCorner(4, 4) = mass * (root * root.transpose() + MatrixXd::Identity(4, 4));
+  m.bottomLeftCorner(2, 4) = slopes;
+  m.topRightCorner(4, 2) = slopes.transpose();
+  return m;
+}
+
+TEST(LinearSystem, OfConstraintsIsSolvedWhateverTheUnitOfMass) {
+  for (const double mass : {1e-100, 1.67e-27, 1e-14, 1.0, 1e16, 2e30, 1e100}) {
+    test::Random random(15);
+    for (int i = 0; i < 100; ++i) {
+      const MatrixXd m = with_constraints(random, mass, false);
+      VectorXd x = random_matrix(random, 6, 1);
+      x.tail(2) *= mass;  // forces
+      const auto found = solved(m, m * x);
+      ASSERT_TRUE(found.has_value()) << mass << '\n' << m;
+      EXPECT_LE((found->topRows(4) - x.head(4)).norm(), 1e-10) << mass << '\n' << m;
+      EXPECT_LE((found->bottomRows(2) - x.tail(2)).norm(), 1e-10 * mass) << mass << '\n' << m;
+    }
+  }
+}
+
+TEST(LinearSystem, OfConstraintsThatDependOnEachOtherIsSingularWhateverTheUnitOfMass) {
+  for (const double mass : {1e-100, 1.67e-27, 1e-14, 1.0, 1e16, 2e30, 1e100}) {
+    test::Random random(16);
+    int called = 0;
+    constexpr int tried = 200;
+    for (int i = 0; i < tried; ++i) {
+      const MatrixXd m = with_constraints(random, mass, true);
+      called += solved(m, random_matrix(random, 6, 1)).has_value() ? 0 : 1;
+    }
+    EXPECT_EQ(called, tried) << mass;
+  }
+}
+
 TEST(LinearSystem, IsSolvedWhileSomeDigitsAreLeft) {
   test::Random random(13);
   for (const double gap : {1e-4, 1e-8, 1e-12}) {
