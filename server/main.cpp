@@ -1,7 +1,6 @@
 // The command line of qdot: what may be typed. What a command does is in serve, commands and probe.
 
 #include <CLI/CLI.hpp>
-#include <algorithm>
 #include <chrono>
 #include <csignal>
 #include <cstdlib>
@@ -192,10 +191,11 @@ ExitCode print_usage(const CLI::App& app, const CLI::ParseError& error) {
 ExitCode run_words(CLI::App& app, std::vector<std::string> words, const Action& action) {
   words = in_known_words(app, std::move(words));
   check_words(app, words);
-  std::ranges::reverse(words);  // the order in which CLI11 wants them
   try {
-    app.parse(words);
+    app.parse(std::vector<std::string>(words.rbegin(), words.rend()));  // the order in which CLI11 wants them
   } catch (const CLI::ParseError& error) {
+    if (const std::string variable = variable_at_fault(app, words, error.what()); !variable.empty())
+      throw UsageError(variable + " in the environment is wrong; " + error.what());
     return print_usage(app, error);
   }
   return action();
@@ -213,6 +213,7 @@ int main(int argc, char** argv) {
   CLI::App app("Lagrangian mechanics: trajectories and equations with errors that can be believed", "qdot");
   app.set_version_flag("--version", "qdot " + std::string(qdot::api::service_version()));
   app.require_subcommand(1);
+  app.immediate_callback();  // else QDOT_PORT would be read, and be wrong, for commands that have no port
   ServeOptions serve_options;
   Arguments arguments;
   BatchOptions batch_options;

@@ -109,18 +109,19 @@ bool serves_with(std::string_view option) {
 [[noreturn]] void refuse_option(const CLI::App& command, WordSpan words) {
   const std::string& word = words[0];
   const std::string name = word.substr(0, word.find('='));
+  const std::string field = name.substr(std::min(name.find_first_not_of('-'), name.size()));
+  if (field.empty()) throw UsageError("the word " + api::in_quotes(word) + " has no name behind its dashes");
   std::string what = "there is no option " + api::in_quotes(name);
   if (const std::string_view other = option_of_others(command, name); !other.empty())
     throw UsageError(what + "; type " + std::string(other));
   if (command.get_parent() == nullptr && serves_with(name))
     throw UsageError(what + " before a command: type qdot serve " +
                      api::printable(words.size() > 1 ? word + " " + words[1] : word));
-  if (const std::string_view form = form_called(name.substr(name.find_first_not_of('-'))); !form.empty())
+  if (const std::string_view form = form_called(field); !form.empty())
     throw UsageError(what + "; type form=" + std::string(form));
   std::vector<std::string> known;
   for (const CLI::Option* option : command.get_options())
     if (option->nonpositional()) known.push_back("--" + option->get_single_name());
-  const std::string field = name.substr(name.find_first_not_of('-'));
   const bool is_field = is_field_of(command.get_name(), field);
   if (const std::string near = api::closest(name, known); !is_field && !near.empty() && near.size() > 4)
     throw UsageError(what + "; did you mean " + near + "?");
@@ -199,6 +200,18 @@ void check_words(const CLI::App& app, const std::vector<std::string>& words) {
     const bool takes_next = option->get_items_expected_max() > 0 && word.find('=') == std::string::npos;
     if (takes_next) ++i;
   }
+}
+
+std::string variable_at_fault(const CLI::App& app, const std::vector<std::string>& words,
+                              std::string_view complaint) {
+  const CLI::App* command = words.empty() ? nullptr : command_called(app, words[0]);
+  if (command == nullptr) return {};
+  const std::string name(complaint.substr(0, complaint.find(':')));
+  const CLI::Option* option = name.empty() ? nullptr : command->get_option_no_throw(name);
+  if (option == nullptr || option->get_envname().empty()) return {};
+  const bool is_typed = std::ranges::any_of(
+      words, [&](const std::string& word) { return word.substr(0, word.find('=')) == name; });
+  return is_typed ? std::string() : option->get_envname();
 }
 
 }  // namespace qdot::server
