@@ -32,7 +32,9 @@ std::string plain_text(const Json& value) {
 
 /// {"text": "g/(2*l)", "latex": ..., "assumes": [...]}
 bool is_formula(const Json& value) {
-  return value.is_object() && value.contains("text") && value.contains("latex");
+  if (!value.is_object()) return false;
+  const auto is_text = [&value](const char* name) { return value.contains(name) && value[name].is_string(); };
+  return is_text("text") && is_text("latex");
 }
 
 /// "g/(2*l), shape x = 1, theta = 1/l, assumes l > 0": what a person reads, so without LaTeX.
