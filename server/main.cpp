@@ -193,9 +193,10 @@ ExitCode run_words(CLI::App& app, std::vector<std::string> words, const Action& 
   words = in_known_words(app, std::move(words));
   check_words(app, words);
   try {
-    app.parse(std::vector(words.rbegin(), words.rend()));  // the order in which CLI11 wants them
+    app.parse(std::vector<std::string>(words.rbegin(), words.rend()));  // the order in which CLI11 wants them
   } catch (const CLI::ParseError& error) {
-    for (const CLI::App* command : app.get_subcommands()) blame_environment(*command, error, words);
+    if (const std::string variable = variable_at_fault(app, words, error.what()); !variable.empty())
+      throw UsageError(variable + " in the environment is wrong; " + error.what());
     return print_usage(app, error);
   }
   return action();
@@ -214,7 +215,7 @@ int main(int argc, char** argv) {
   CLI::App app("Lagrangian mechanics: trajectories and equations with errors that can be believed", "qdot");
   app.set_version_flag("--version", "qdot " + std::string(qdot::api::service_version()));
   app.require_subcommand(1);
-  app.immediate_callback();  // so that the environment of a command that was not typed stops no other
+  app.immediate_callback();  // else QDOT_PORT would be read, and be wrong, for commands that have no port
   ServeOptions serve_options;
   Arguments arguments;
   BatchOptions batch_options;

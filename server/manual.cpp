@@ -23,6 +23,7 @@ constexpr auto exit_codes = std::to_array<std::pair<int, std::string_view>>({
     {5, "our own mistake"},
     {6, "no server answers"},
     {7, "the answer could not be written: a disk is full, say"},
+    {129, "stopped by SIGHUP, as by a terminal that is closed"},
     {130, "stopped by Ctrl-C"},
     {143, "stopped by SIGTERM: 128 and the number of the signal"},
 });

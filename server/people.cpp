@@ -30,10 +30,11 @@ std::string plain_text(const Json& value) {
   return text;
 }
 
-/// {"text": "g/(2*l)", "latex": ..., "assumes": [...]}; a schema has members of these names that are no
-/// texts.
+/// {"text": "g/(2*l)", "latex": ..., "assumes": [...]}
 bool is_formula(const Json& value) {
-  return value.is_object() && value.contains("latex") && value.contains("text") && value["text"].is_string();
+  if (!value.is_object()) return false;
+  const auto is_text = [&value](const char* name) { return value.contains(name) && value[name].is_string(); };
+  return is_text("text") && is_text("latex");
 }
 
 /// "g/(2*l), shape x = 1, theta = 1/l, assumes l > 0": what a person reads, so without LaTeX.

@@ -17,7 +17,7 @@ namespace {
 std::atomic<int> signal_that_came{0};
 static_assert(std::atomic<int>::is_always_lock_free, "A signal handler sets it.");
 
-constexpr std::array stopping{SIGINT, SIGTERM};
+constexpr std::array stopping{SIGINT, SIGTERM, SIGHUP};
 
 void note_signal(int signal) { signal_that_came = signal; }
 
@@ -63,11 +63,12 @@ void Progress::tell(std::chrono::seconds::rep seconds) {
 }
 
 api::Spread Progress::counting(api::Spread spread) {
-  return [this, spread = std::move(spread)](std::size_t count, const std::function<void(std::size_t)>& task) {
+  return [this, spread = std::move(spread)](std::size_t count, const api::SpreadTask& task) {
     of_ += count;
     spread(count, [&](std::size_t i) {
-      task(i);
+      const bool goes_on = task(i);
       ++done_;
+      return goes_on;
     });
   };
 }

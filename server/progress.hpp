@@ -9,8 +9,8 @@
 
 namespace qdot::server {
 
-/// While it lives, Ctrl-C and SIGTERM ask the computation to end, a second one ends the process. Says each
-/// second that the work goes on, if stderr is a terminal.
+/// While it lives, Ctrl-C, SIGTERM and SIGHUP ask the computation to end, a second one ends the process. Says
+/// each second that the work goes on, if stderr is a terminal.
 class Progress {
  public:
   Progress();

@@ -23,10 +23,11 @@ void add_helpers(std::vector<std::jthread>& helpers, std::size_t count, const au
 }  // namespace
 
 api::Spread spread_over(int threads, Help help) {
-  return [threads, help](std::size_t count, const std::function<void(std::size_t)>& task) {
+  return [threads, help](std::size_t count, const api::SpreadTask& task) {
     std::atomic<std::size_t> next{0};
     const auto take_tasks = [&] {
-      for (std::size_t i = next++; i < count; i = next++) task(i);
+      std::size_t i = next++;
+      while (i < count && task(i)) i = next++;
     };
     const auto help_out = [&] {
       if (help == Help::beside_light_work) lower_priority();

@@ -105,22 +105,18 @@ bool serves_with(std::string_view option) {
   return std::ranges::find(all, option) != all.end();
 }
 
-/// Nothing of "---".
-std::string without_dashes(const std::string& name) {
-  return name.substr(std::min(name.find_first_not_of('-'), name.size()));
-}
-
 /// "--k=10", or "--k" before "10".
 [[noreturn]] void refuse_option(const CLI::App& command, WordSpan words) {
   const std::string& word = words[0];
   const std::string name = word.substr(0, word.find('='));
+  const std::string field = name.substr(std::min(name.find_first_not_of('-'), name.size()));
+  if (field.empty()) throw UsageError("the word " + api::in_quotes(word) + " has no name behind its dashes");
   std::string what = "there is no option " + api::in_quotes(name);
   if (const std::string_view other = option_of_others(command, name); !other.empty())
     throw UsageError(what + "; type " + std::string(other));
   if (command.get_parent() == nullptr && serves_with(name))
     throw UsageError(what + " before a command: type qdot serve " +
                      api::printable(words.size() > 1 ? word + " " + words[1] : word));
-  const std::string field = without_dashes(name);
   if (const std::string_view form = form_called(field); !form.empty())
     throw UsageError(what + "; type form=" + std::string(form));
   std::vector<std::string> known;
@@ -131,9 +127,8 @@ std::string without_dashes(const std::string& name) {
     throw UsageError(what + "; did you mean " + near + "?");
   if (command.get_parent() == nullptr)
     throw UsageError(what + "; there are " + api::enumerated(known) + ", and each command has its own");
-  const bool is_server =
-      std::ranges::find(commands_of_a_server, command.get_name()) != commands_of_a_server.end();
-  if (is_server || field.empty()) throw UsageError(what + "; there are " + api::enumerated(known));
+  if (std::ranges::find(commands_of_a_server, command.get_name()) != commands_of_a_server.end())
+    throw UsageError(what + "; there are " + api::enumerated(known));
   std::string value = word.find('=') == std::string::npos ? "" : word.substr(word.find('=') + 1);
   if (value.empty() && words.size() > 1 && !words[1].starts_with('-')) value = words[1];
   throw UsageError(
@@ -207,17 +202,16 @@ void check_words(const CLI::App& app, const std::vector<std::string>& words) {
   }
 }
 
-void blame_environment(const CLI::App& command, const CLI::ParseError& error,
-                       const std::vector<std::string>& words) {
-  const std::string_view what = error.what();
-  for (const CLI::Option* option : command.get_options()) {
-    const std::string name = "--" + option->get_single_name();
-    const bool is_typed = std::ranges::any_of(
-        words, [&](const std::string& word) { return word == name || word.starts_with(name + "="); });
-    if (!is_typed && !option->get_envname().empty() && what.starts_with(name + ": "))
-      throw UsageError("of the environment, " + option->get_envname() +
-                       " is wrong: " + std::string(what.substr(name.size() + 2)));
-  }
+std::string variable_at_fault(const CLI::App& app, const std::vector<std::string>& words,
+                              std::string_view complaint) {
+  const CLI::App* command = words.empty() ? nullptr : command_called(app, words[0]);
+  if (command == nullptr) return {};
+  const std::string name(complaint.substr(0, complaint.find(':')));
+  const CLI::Option* option = name.empty() ? nullptr : command->get_option_no_throw(name);
+  if (option == nullptr || option->get_envname().empty()) return {};
+  const bool is_typed = std::ranges::any_of(
+      words, [&](const std::string& word) { return word.substr(0, word.find('=')) == name; });
+  return is_typed ? std::string() : option->get_envname();
 }
 
 }  // namespace qdot::server

@@ -3,6 +3,7 @@
 
 #include <CLI/CLI.hpp>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "server/usage_error.hpp"
@@ -16,8 +17,9 @@ namespace qdot::server {
 /// for one that is empty.
 void check_words(const CLI::App& app, const std::vector<std::string>& words);
 
-/// Throws UsageError where what CLI11 has found wrong was not typed: it came from the environment.
-void blame_environment(const CLI::App& command, const CLI::ParseError& error,
-                       const std::vector<std::string>& words);
+/// The variable of the environment that `complaint` of CLI11, "--port: Value x not in range 0 to 65535", is
+/// about; empty where the option was typed.
+[[nodiscard]] std::string variable_at_fault(const CLI::App& app, const std::vector<std::string>& words,
+                                            std::string_view complaint);
 
 }  // namespace qdot::server

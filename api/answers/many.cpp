@@ -16,7 +16,7 @@ void for_each(const Request& request, std::size_t count, const std::function<voi
   std::exception_ptr thrown;
   std::atomic<bool> ended{false};
   const auto one = [&](std::size_t i) {
-    if (ended) return;
+    if (ended) return false;
     try {
       const bool is_bounded = request.work == Work::bounded;
       const WorkBoundsScope bounds(is_bounded ? WorkBounds::of_a_service : WorkBounds::none);
@@ -29,11 +29,13 @@ void for_each(const Request& request, std::size_t count, const std::function<voi
       if (!thrown) thrown = std::current_exception();
       ended = true;
     }
+    return !ended;
   };
   if (request.spread) {
     request.spread(count, one);
   } else {
-    for (std::size_t i = 0; i < count && !ended; ++i) one(i);
+    std::size_t i = 0;
+    while (i < count && one(i)) ++i;
   }
   if (thrown) std::rethrow_exception(thrown);
 }

@@ -5,6 +5,7 @@
 
 #include "api/answers/bounds.hpp"
 #include "api/json/writer.hpp"
+#include "core/base/work.hpp"
 
 namespace qdot::api {
 namespace {
@@ -39,8 +40,10 @@ Grid even_grid(const Real& t_start, const Real& t_end, std::int64_t rows, const 
   const DoubleDouble span = t_end.double_double() - t_start.double_double();
   const auto steps = static_cast<double>(rows - 1);
   instants.push_back(t_start);
-  for (std::int64_t i = 1; i + 1 < rows; ++i)
+  for (std::int64_t i = 1; i + 1 < rows; ++i) {
+    check_interruption(static_cast<std::uint64_t>(i));
     instants.push_back(even_instant(t_start, span, static_cast<double>(i), steps));
+  }
   instants.push_back(t_end);
   if (std::ranges::adjacent_find(instants, std::greater_equal<>{}) != instants.end()) {
     return GridError{field, "out_of_range",

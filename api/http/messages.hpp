@@ -11,9 +11,12 @@
 
 namespace qdot::api {
 
-/// Calls a task with each of 0 to count - 1, in several threads if there are several, and returns when all
-/// are done. The task must not throw.
-using Spread = std::function<void(std::size_t count, const std::function<void(std::size_t)>& task)>;
+/// Whether the others are still wanted. It must not throw.
+using SpreadTask = std::function<bool(std::size_t)>;
+
+/// Calls a task with each of 0 to count - 1 in order, in several threads if there are several, until all are
+/// done or not wanted any more.
+using Spread = std::function<void(std::size_t count, const SpreadTask& task)>;
 
 /// A service bounds what a request may cost; on someone's own machine it costs what it costs.
 enum class Work { bounded, unbounded };

@@ -43,4 +43,8 @@ void check_interruption() {
   }
 }
 
+void check_interruption(std::uint64_t step) {
+  if (step % poll_interval == 0) check_interruption();
+}
+
 }  // namespace qdot

@@ -44,4 +44,7 @@ void spend_work(std::uint64_t units = 1);
 /// Throws Interrupted if the scope's `interrupted` says that nobody waits any more.
 void check_interruption();
 
+/// The same in a loop of short steps: looks every few thousand of them.
+void check_interruption(std::uint64_t step);
+
 }  // namespace qdot

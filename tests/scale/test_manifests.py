@@ -127,6 +127,13 @@ class Promises(unittest.TestCase):
             self.assertEqual(answer.status, 200)
         self.assertEqual(service["spec"]["ports"][0]["targetPort"], self.container["ports"][0]["containerPort"])
 
+    def test_the_variables_of_its_own_service_do_not_stop_it(self):
+        service = yaml.safe_load(KUBERNETES.split("---")[1])
+        name, (port,) = service["metadata"]["name"].upper(), service["spec"]["ports"]
+        links = {f"{name}_PORT": f"tcp://10.96.0.12:{port['port']}"} if self.pod.get("enableServiceLinks", True) else {}
+        with RunningQdot(**self.environment, **links, port=None if links else 0) as server:
+            self.assertTrue(server.start_line)
+
     def test_there_is_time_to_finish(self):
         command, seconds = self.container["lifecycle"]["preStop"]["exec"]["command"]
         self.assertEqual(command, "sleep")

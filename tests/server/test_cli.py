@@ -8,7 +8,7 @@ import subprocess
 import tempfile
 import unittest
 
-from running_qdot import QDOT, RunningQdot, qdot
+from running_qdot import ENVIRONMENT, QDOT, RunningQdot, qdot
 
 REQUEST = {"system": "spring_pendulum", "t_end": 2, "samples": 5}
 OK, USAGE, INVALID, FAILED, UNREACHABLE, UNWRITTEN = 0, 2, 3, 4, 6, 7
@@ -101,11 +101,26 @@ class ExitCodes(unittest.TestCase):
         for arguments in ([], ["no_such_command"], ["simulate", "--no-such-option"], ["simulate", "system=x", "no_equals_sign"],
                           ["simulate", "=value"], ["simulate", "--request", "/no/such/file"],
                           ["simulate", "system=x", "--request", "-"], ["systems", "one", "two"],
-                          ["serve", "--port", "65536"], ["serve", "--threads", "0"]):
+                          ["serve", "--port", "65536"], ["serve", "--threads", "0"],
+                          *([*command, dashes] for dashes in ("---", "----", "---x", "--=", "-=", "---=1")
+                            for command in ([], ["serve"], ["systems"], ["batch"], ["modes", "cart_pendulum"]))):
             with self.subTest(arguments=arguments):
                 run = qdot(*arguments)
                 self.assertEqual((run.returncode, run.stdout), (USAGE, b""))
                 self.assertNotEqual(run.stderr, b"")
+
+    def test_a_variable_of_the_environment_is_named_where_it_is_wrong_and_matters_nowhere_else(self):
+        # What the kubelet sets in every pod beside a Service named qdot.
+        environment = {**ENVIRONMENT, "QDOT_PORT": "tcp://10.96.0.12:80", "QDOT_THREADS": "many"}
+        for command, code, said in ((["serve"], USAGE, "qdot: QDOT_PORT in the environment is wrong"),
+                                    (["serve", "--port", "0"], USAGE, "qdot: QDOT_THREADS in the environment is wrong"),
+                                    (["serve", "--port", "x"], USAGE, "--port: "), (["health"], USAGE, "qdot: QDOT_PORT"),
+                                    (["modes", "cart_pendulum"], OK, ""), (["manual"], OK, "")):
+            with self.subTest(command=command):
+                run = subprocess.run([QDOT, *command], capture_output=True, text=True, check=False, timeout=60, env=environment)
+                self.assertEqual(run.returncode, code, run.stderr)
+                self.assertTrue(run.stderr.startswith(said), run.stderr)
+        self.assertIn("QDOT_PORT", qdot("manual").stdout.decode())
 
     def test_invalid_requests(self):
         for stdin in ("", "{", '{"system": "no_such_system"}', '{"system": "spring_pendulum", "kk": 1}'):

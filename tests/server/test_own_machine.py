@@ -58,21 +58,24 @@ class OwnMachine(unittest.TestCase):
 
 def listen_to_signals():
     """A shell's background ignores Ctrl-C, and what it starts would go on ignoring it."""
-    for number in (signal.SIGINT, signal.SIGTERM):
+    for number in (signal.SIGINT, signal.SIGTERM, signal.SIGHUP):
         signal.signal(number, signal.SIG_DFL)
 
 
 class Ending(unittest.TestCase):
-    def stopped(self, *command, by=signal.SIGINT):
+    def stopped(self, *command, by=signal.SIGINT, megabytes=10_000):
         """What is said on stdout and stderr by a command that is interrupted after a second's work."""
         process = subprocess.Popen([QDOT, *command], stdout=subprocess.PIPE, stderr=subprocess.PIPE, env=ENVIRONMENT,
                                    preexec_fn=listen_to_signals)
         time.sleep(10 if SANITIZED else 1)
+        with open(f"/proc/{process.pid}/status", encoding="ascii") as status:
+            resident = next(int(line.split()[1]) for line in status if line.startswith("VmHWM:")) / 1024
         process.send_signal(by)
         sent = time.monotonic()
         answer, said = process.communicate(timeout=60)
         self.assertLess(time.monotonic() - sent, 50 if SANITIZED else 5)
         self.assertEqual(process.returncode, STOPPED + by, said)
+        self.assertLess(resident, megabytes)
         return answer, said.decode()
 
     def test_control_c_ends_with_a_sentence(self):
@@ -82,6 +85,17 @@ class Ending(unittest.TestCase):
                 self.assertEqual(answer, b"")
                 self.assertRegex(said, r"^Stopped after \d+ s; there is no answer\.\n$")
 
+    def test_a_hundred_million_rows_end_as_soon_and_take_no_memory_before_they_are_asked(self):
+        rows = 100_000_000
+        one = ["vary=k", "from=1", "to=50", f"count={rows}"]
+        sample = json.dumps({"ask": {"energy": {"system": "cart_pendulum"}}, "vary": {"k": {"normal": [10, 1]}}, "count": rows,
+                             "collect": ["/V"]})
+        for words in (["cart_pendulum", "ask=energy", *one, "collect=/V", "--format", "csv"],
+                      ["cart_pendulum", "ask=energy", *one, "spacing=log", "collect=/V"], [sample]):
+            with self.subTest(words=words):
+                self.stopped("sweep", *words, megabytes=1000 if SANITIZED else 200)
+        self.stopped("simulate", "spring_pendulum", "t_end=1", f"samples={rows}")
+
     def test_control_c_leaves_the_rows_of_a_sweep_that_were_asked(self):
         """They are those of the same sweep, asked for so many."""
         ask = {"ask": {"simulate": {"system": "spring_pendulum", "t_end": 1000, "samples": 2}},
@@ -89,7 +103,7 @@ class Ending(unittest.TestCase):
         with tempfile.NamedTemporaryFile("w", suffix=".json") as file:
             json.dump({**ask, "vary": {"k": {"from": 10, "to": 50, "count": 100_000}}}, file)
             file.flush()
-            answers = [self.stopped("sweep", "--request", file.name, by=by) for by in (signal.SIGINT, signal.SIGTERM)]
+            answers = [self.stopped("sweep", "--request", file.name, by=by) for by in (signal.SIGINT, signal.SIGTERM, signal.SIGHUP)]
         for answer, said in answers:
             self.assertRegex(said, r"^Stopped after \d+ s\.\n$")
             answer = json.loads(answer)

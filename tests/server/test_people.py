@@ -56,6 +56,12 @@ class Text(unittest.TestCase):
             code, seen = on_a_terminal("modes", "cart_pendulum", option)
             self.assertEqual((code, json.loads(seen)["system"]), (0, "cart_pendulum"))
 
+    def test_the_description_of_the_service_is_text_too(self):
+        """It has schemas of formulas, which are no formulas."""
+        code, seen = on_a_terminal("openapi")
+        self.assertEqual(code, 0, seen)
+        self.assertEqual(qdot("openapi", "--format", "table").returncode, 0)
+
     def test_no_colours_for_those_who_want_none(self):
         for environment in ({"NO_COLOR": "1"}, {"TERM": "dumb"}):
             self.assertNotIn("\x1b", on_a_terminal("systems", **environment)[1])

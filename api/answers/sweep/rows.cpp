@@ -85,17 +85,20 @@ SweptRows answered_rows(const SweepPlan& plan, const Call& call, const FindSyste
   const Answering answering = plan.question->question.answering(plan.is_carried ? same : find_system, own);
   const std::vector<std::string> wanted = members_read(plan.columns);
   const bool has_more_digits = plan.asked.fields.value("precision", Json()) == "extended";
-  SweptRows answered{.rows = std::vector<SweptRow>(plan.swept.rows)};
+  SweptRows answered;
+  // Refuses now what no memory holds, and touches none of it.
+  answered.rows.reserve(plan.swept.rows);
   std::vector<std::string> units(plan.columns.size());
   std::vector<std::size_t> first(plan.columns.size(), plan.swept.rows);  // row that the unit is of
   std::mutex mutex;
   const auto ask = [&](std::size_t i) {
     std::vector<std::string> own_units;
     const Response response = asked_row(plan, i, wanted, call, answering);
-    answered.rows[i] = read_row(response, plan.columns, own_units);
-    if (has_more_digits && response.status == 200)
-      answered.rows[i].digits = digits_in(response.body, plan.columns);
+    SweptRow row = read_row(response, plan.columns, own_units);
+    if (has_more_digits && response.status == 200) row.digits = digits_in(response.body, plan.columns);
     const std::lock_guard lock(mutex);
+    if (answered.rows.size() <= i) answered.rows.resize(i + 1);
+    answered.rows[i] = std::move(row);
     for (std::size_t column = 0; column < own_units.size(); ++column) {
       if (own_units[column].empty() || first[column] < i) continue;
       first[column] = i;

@@ -10,6 +10,7 @@
 #include "api/json/limits.hpp"
 #include "api/json/suggest.hpp"
 #include "api/json/text.hpp"
+#include "core/base/work.hpp"
 #include "core/numerics/double_double_function.hpp"
 
 namespace qdot::api {
@@ -19,15 +20,36 @@ constexpr std::int64_t most_counted = 1'000'000'000;  ///< the rows are counted 
 
 /// The place of step i of n between two numbers, rounded once from the decimals that were written: 0.1 to 1
 /// in nine steps goes over 0.3, and 1 to 1000 in three equal ratios over 10.
-double between(const DoubleDouble& from, const DoubleDouble& to, double i, double n) {
-  return ((from * (n - i) + to * i) / n).high;
+DoubleDouble between(const DoubleDouble& from, const DoubleDouble& to, double i, double n) {
+  return (from * (n - i) + to * i) / n;
+}
+
+using Between = std::function<double(double i, double n)>;
+
+Between evenly_between(const Real& from, const Real& to) {
+  return [first = from.double_double(), last = to.double_double()](double i, double n) {
+    return between(first, last, i, n).high;
+  };
 }
 
 /// Of the logarithms of what is on one side of zero, each written there in its own digits.
-double between_by_ratio(const Real& from, const Real& to, double i, double n) {
+Between between_by_ratio(const Real& from, const Real& to) {
   const double side = from.value < 0 ? -1 : 1;
   const auto logarithm = [side](const Real& x) { return evaluate(Function::log, x.double_double() * side); };
-  return side * exp((logarithm(from) * (n - i) + logarithm(to) * i) / n).high;
+  return [side, first = logarithm(from), last = logarithm(to)](double i, double n) {
+    return side * exp(between(first, last, i, n)).high;
+  };
+}
+
+/// No step comes to more than all steps of both ends do. Where that is no double, each value is looked at.
+bool are_finite(const SweptRange& range) {
+  const double ends = std::abs(range.value(0)) + std::abs(range.value(range.count - 1));
+  if (std::isfinite(2 * ends * static_cast<double>(range.count))) return true;
+  for (std::size_t i = 0; i < range.count; ++i) {
+    check_interruption(i);
+    if (!std::isfinite(range.value(i))) return false;
+  }
+  return true;
 }
 
 }  // namespace
@@ -77,7 +99,7 @@ std::optional<SweptRange> VariableReader::read(const GivenVariable& given) {
   const Place& parts_place = given.is_flat ? whole_ : place;
   const std::size_t errors_before = errors_.size();
   const Json parts = resolved_parts(given, parts_place);
-  SweptRange range{.variable = std::move(*variable), .values = {}};
+  SweptRange range{.variable = std::move(*variable)};
   if (errors_.size() == errors_before) fill(parts, parts_place, range);
   return errors_.size() == errors_before ? std::optional(std::move(range)) : std::nullopt;
 }
@@ -168,9 +190,12 @@ void VariableReader::fill(const Json& parts, const Place& place, SweptRange& ran
 }
 
 void VariableReader::fill_values(const Json& values, const Place& place, SweptRange& range) {
+  std::vector<double> numbers;
   for (std::size_t i = 0; i < values.size(); ++i)
-    range.values.push_back(number(values[i], range.variable, place.below(i)).value);
-  range.echo = {{"values", range.values}};
+    numbers.push_back(number(values[i], range.variable, place.below(i)).value);
+  range.echo = {{"values", numbers}};
+  range.count = numbers.size();
+  range.value = [numbers = std::move(numbers)](std::size_t i) { return numbers[i]; };
 }
 
 void VariableReader::fill_law(SweptRange::Law law, const Json& pair, const Place& place, SweptRange& range) {
@@ -200,17 +225,13 @@ void VariableReader::fill_grid(const Json& parts, const Place& place, SweptRange
   }
   range.echo = {
       {"from", from.value}, {"to", to.value}, {"count", count}, {"spacing", is_log ? "log" : "linear"}};
-  const auto steps = static_cast<double>(count - 1);
-  const DoubleDouble first = from.double_double(), last = to.double_double();
-  for (std::int64_t i = 0; i < count; ++i) {
-    const auto step = static_cast<double>(i);
-    if (i == 0 || i == count - 1)
-      range.values.push_back(i == 0 ? from.value : to.value);
-    else
-      range.values.push_back(is_log ? between_by_ratio(from, to, step, steps)
-                                    : between(first, last, step, steps));
-  }
-  if (!std::ranges::all_of(range.values, [](double value) { return std::isfinite(value); }))
+  range.count = static_cast<std::size_t>(count);
+  range.value = [from = from.value, to = to.value, last = range.count - 1,
+                 inside = is_log ? between_by_ratio(from, to) : evenly_between(from, to)](std::size_t i) {
+    if (i == 0 || i == last) return i == 0 ? from : to;
+    return inside(static_cast<double>(i), static_cast<double>(last));
+  };
+  if (!are_finite(range))
     report(errors_, place.below("to").error("out_of_range", "The values between pass double precision."));
 }
 

@@ -1,7 +1,9 @@
 #pragma once
 // One variable of a sweep, read: the values of a grid, or the law that a sample draws from.
 
+#include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -27,10 +29,12 @@ struct GivenVariable {
   bool is_flat;  ///< its parts stand in the request itself
 };
 
-/// What one variable runs over: values, or a law that a sample draws from.
+/// What one variable runs over: values, each computed where it is asked for, or a law that a sample draws
+/// from.
 struct SweptRange {
   SweepVariable variable;
-  std::vector<double> values;
+  std::function<double(std::size_t)> value{};  ///< of a grid or a list: value i
+  std::size_t count{};
   enum class Law { none, uniform, normal } law{Law::none};
   double first{}, second{};
   Json echo{};

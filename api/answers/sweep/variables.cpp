@@ -3,9 +3,11 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 #include "api/answers/sweep/swept_range.hpp"
 #include "api/json/limits.hpp"
+#include "core/base/work.hpp"
 #include "core/numerics/function.hpp"
 #include "core/numerics/random_bits.hpp"
 
@@ -28,7 +30,9 @@ Json parts_beside(const SweepRequest& request) {
   return parts;
 }
 
-/// One more draw of a variable.
+std::uint64_t fractions_of(const SweptRange& range) { return range.law == SweptRange::Law::normal ? 2 : 1; }
+
+/// The draw of a variable from the next of its fractions.
 double drawn(const SweptRange& range, RandomBits& random) {
   if (range.law == SweptRange::Law::uniform)
     return range.first + (range.second - range.first) * random.fraction();
@@ -37,20 +41,36 @@ double drawn(const SweptRange& range, RandomBits& random) {
          range.second * (radius * evaluate(Function::cos, 2 * std::numbers::pi * random.fraction()));
 }
 
-void draw(const std::vector<SweptRange>& ranges, std::uint64_t seed, SweptValues& swept) {
-  RandomBits random(seed);
-  for (std::size_t row = 0; row < swept.rows; ++row)
-    for (const SweptRange& range : ranges) swept.values.push_back(drawn(range, random));
+double value_of_sample(const SweptValues& swept, std::size_t row, std::size_t variable) {
+  std::uint64_t before = 0, of_row = 0;
+  for (std::size_t i = 0; i < swept.ranges.size(); ++i) {
+    if (i < variable) before += fractions_of(swept.ranges[i]);
+    of_row += fractions_of(swept.ranges[i]);
+  }
+  RandomBits random(swept.seed, row * of_row + before);
+  return drawn(swept.ranges[variable], random);
 }
 
-void combine(const std::vector<SweptRange>& ranges, SweptValues& swept) {
+double value_of_grid(const SweptValues& swept, std::size_t row, std::size_t variable) {
+  std::size_t block = 1;  // rows in which the variable keeps its value
+  for (std::size_t i = variable + 1; i < swept.ranges.size(); ++i) block *= swept.ranges[i].count;
+  const SweptRange& range = swept.ranges[variable];
+  return range.value(row / block % range.count);
+}
+
+/// No draw is 16 of its law's numbers away from 0: a normal one is within 8.6 deviations of the mean.
+bool is_surely_finite(const SweptRange& range) {
+  return std::isfinite(16 * (std::abs(range.first) + std::abs(range.second)));
+}
+
+bool are_drawn_finite(const SweptValues& swept) {
+  if (std::ranges::all_of(swept.ranges, is_surely_finite)) return true;
   for (std::size_t row = 0; row < swept.rows; ++row) {
-    std::size_t block = swept.rows;
-    for (const SweptRange& range : ranges) {
-      block /= range.values.size();
-      swept.values.push_back(range.values[row / block % range.values.size()]);
-    }
+    check_interruption(row);
+    for (std::size_t i = 0; i < swept.variables.size(); ++i)
+      if (!std::isfinite(swept.value(row, i))) return false;
   }
+  return true;
 }
 
 std::vector<GivenVariable> given_variables(const SweepRequest& request, const Place& whole, Errors& errors) {
@@ -100,6 +120,10 @@ void check_sample(const SweepRequest& request, const std::vector<SweptRange>& ra
 
 }  // namespace
 
+double SweptValues::value(std::size_t row, std::size_t variable) const {
+  return is_sample ? value_of_sample(*this, row, variable) : value_of_grid(*this, row, variable);
+}
+
 std::optional<SweptValues> read_variables(const SweepRequest& request, const Scene& scene,
                                           const FieldSet& asked, const Place& whole, ParameterScope& scope,
                                           std::int64_t most_rows, Errors& errors) {
@@ -115,27 +139,22 @@ std::optional<SweptValues> read_variables(const SweepRequest& request, const Sce
   if (errors.size() > errors_before) return std::nullopt;
   const bool is_sample = is_drawn(ranges.front());
   double rows = is_sample ? static_cast<double>(*request.count) : 1;
-  for (const SweptRange& range : ranges) rows *= is_sample ? 1 : static_cast<double>(range.values.size());
+  for (const SweptRange& range : ranges) rows *= is_sample ? 1 : static_cast<double>(range.count);
   if (rows > static_cast<double>(most_rows)) {
     reader.refuse_rows(is_sample ? whole.below("count") : whole.below("vary"));
     return std::nullopt;
   }
   SweptValues swept{.rows = static_cast<std::size_t>(rows),
                     .is_sample = is_sample,
+                    .seed = static_cast<std::uint64_t>(request.seed.value_or(0)),
                     .echo = Json::object(),
                     .notes = reader.notes()};
   for (const SweptRange& range : ranges) {
     swept.variables.push_back(range.variable);
     swept.echo[range.variable.name] = range.echo;
   }
-  if (is_sample) {
-    draw(ranges, static_cast<std::uint64_t>(request.seed.value_or(0)), swept);
-  } else {
-    combine(ranges, swept);
-  }
-  const bool are_finite =
-      std::ranges::all_of(swept.values, [](double value) { return std::isfinite(value); });
-  if (are_finite) return swept;
+  swept.ranges = std::move(ranges);
+  if (!is_sample || are_drawn_finite(swept)) return swept;  // the values of a grid are known to be
   report(errors, whole.below("vary").error("out_of_range", "The values drawn pass double precision."));
   return std::nullopt;
 }

@@ -22,14 +22,15 @@ namespace qdot::api {
 struct SweptValues {
   std::vector<SweepVariable> variables{};
   std::size_t rows{};
-  std::vector<double> values{};  ///< row-major, SI
+  std::vector<SweptRange> ranges{};  ///< of the variables
   bool is_sample{};
+  std::uint64_t seed{};              ///< of a sample
   Json echo{};                       ///< what the variables run over, in SI
   std::vector<std::string> notes{};  ///< how a value was understood that could be meant otherwise
 
-  [[nodiscard]] double value(std::size_t row, std::size_t variable) const {
-    return values[row * variables.size() + variable];
-  }
+  /// In SI. Computed from the row's number, so that a hundred million rows need no memory before they are
+  /// asked.
+  [[nodiscard]] double value(std::size_t row, std::size_t variable) const;
 };
 
 /// None after errors were reported. `whole` is the place of the request, `asked` the fields of the question

@@ -1,9 +1,14 @@
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "api/answers/endpoints.hpp"
 #include "api/answers/sweep/schema_place.hpp"
 #include "api/answers/sweep/variables.hpp"
 #include "api/scenes/catalogue.hpp"
+#include "core/base/work.hpp"
+#include "core/numerics/constants.hpp"
+#include "core/numerics/random_bits.hpp"
 
 namespace qdot::api {
 namespace {
@@ -32,6 +37,14 @@ TEST(PlaceInSchema, IsNotWhereTheyNeverHaveAny) {
     EXPECT_EQ(refusal("modes", pointer), "syntax") << pointer;
 }
 
+/// Row by row.
+std::vector<double> values_of(const SweptValues& swept) {
+  std::vector<double> values;
+  for (std::size_t row = 0; row < swept.rows; ++row)
+    for (std::size_t i = 0; i < swept.variables.size(); ++i) values.push_back(swept.value(row, i));
+  return values;
+}
+
 std::optional<SweptValues> read(const SweepRequest& request, Errors& errors) {
   static const Catalogue catalogue = Catalogue::built_in();
   const Place whole(Road::body);
@@ -49,7 +62,7 @@ TEST(SweptValues, OfAGridAreEveryCombinationInOrder) {
       {.vary = {{"k", {{"values", {1, 2}}}}, {"theta", {{"from", 0}, {"to", 1}, {"count", 3}}}}}, errors);
   ASSERT_TRUE(swept);
   EXPECT_EQ(swept->rows, 6U);
-  EXPECT_EQ(swept->values, (std::vector<double>{1, 0, 1, 0.5, 1, 1, 2, 0, 2, 0.5, 2, 1}));
+  EXPECT_EQ(values_of(*swept), (std::vector<double>{1, 0, 1, 0.5, 1, 1, 2, 0, 2, 0.5, 2, 1}));
 }
 
 TEST(SweptValues, AreQuantitiesAndExpressionsOfTheQuestionsParameters) {
@@ -59,8 +72,35 @@ TEST(SweptValues, AreQuantitiesAndExpressionsOfTheQuestionsParameters) {
                           errors);
   ASSERT_TRUE(swept);
   const double angle = 0.5235987755982989;  // rounded from pi/6, once
-  EXPECT_EQ(swept->values,
+  EXPECT_EQ(values_of(*swept),
             (std::vector<double>{98.1, -angle, 98.1, angle, 500, -angle, 500, angle, 3, -angle, 3, angle}));
+}
+
+TEST(SweptValues, OfASampleAreDrawnInOrderFromOneSequence) {
+  Errors errors;
+  const auto swept = read(
+      {.vary = {{"k", {{"normal", {10, 2}}}}, {"theta", {{"uniform", {0, 1}}}}}, .count = 100, .seed = 7},
+      errors);
+  ASSERT_TRUE(swept);
+  RandomBits random(7);
+  for (std::size_t row = 0; row < 100; ++row) {
+    const double radius = std::sqrt(-2 * std::log(1 - random.fraction()));
+    EXPECT_NEAR(swept->value(row, 0), 10 + 2 * radius * std::cos(2 * pi * random.fraction()), 1e-13);
+    EXPECT_EQ(swept->value(row, 1), random.fraction());
+  }
+}
+
+TEST(SweptValues, ThatMayPassDoublePrecisionAreLookedAtUntilNobodyWaits) {
+  const SweepRequest grid{.vary = {{"theta", {{"from", -1e307}, {"to", 1e307}, {"count", 1000}}}}};
+  const SweepRequest sample{.vary = {{"theta", {{"uniform", {-1e308, 1e308}}}}}, .count = 1000};
+  for (const SweepRequest& request : {grid, sample}) {
+    Errors errors;
+    EXPECT_FALSE(read(request, errors));
+    ASSERT_EQ(errors.size(), 1U);
+    EXPECT_EQ(errors[0].code, "out_of_range");
+    const WorkScope scope(1000, [] { return true; });
+    EXPECT_THROW(read(request, errors), Interrupted);
+  }
 }
 
 TEST(SweptValues, SpeakOfNothingThatVaries) {
