@@ -119,9 +119,16 @@ class TapeEvaluator {
       for (T& value : b) value = slots_[*operand++];
       solve_linear(n, std::span<const T>(matrix), b);
     } else {
-      const T undefined = T::literal(1) / T::literal(0);  // of this arithmetic nothing is known there
-      for (std::size_t k = 0; k < std::size_t{i.linear} * i.products; ++k) slots_[i.out + k] = undefined;
+      for (std::size_t k = 0; k < std::size_t{i.linear} * i.products; ++k) slots_[i.out + k] = undefined();
     }
+  }
+
+  /// What is known where the arithmetic cannot compute.
+  [[nodiscard]] static T undefined() {
+    if constexpr (requires { T::undefined(); })
+      return T::undefined();
+    else
+      return T::literal(1) / T::literal(0);
   }
 
   /// Exponents are literals; an arithmetic whose own literals do not show a whole number takes them as they

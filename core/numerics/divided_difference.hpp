@@ -25,6 +25,10 @@ struct DividedDifference {
   [[nodiscard]] static DividedDifference literal(const Real& value);
   /// What does not depend on the place.
   [[nodiscard]] static DividedDifference constant(const Interval& value) { return {value, value, 0}; }
+  /// Of which nothing is known.
+  [[nodiscard]] static DividedDifference undefined() {
+    return {Interval::whole(), Interval::whole(), Interval::whole()};
+  }
   /// The place itself.
   [[nodiscard]] static DividedDifference variable(const Interval& a, const Interval& b) { return {a, b, 1}; }
 };

@@ -15,6 +15,16 @@ TaylorEnclosure<N, C> TaylorEnclosure<N, C>::constant(const C& value) {
 }
 
 template <std::size_t N, class C>
+TaylorEnclosure<N, C> TaylorEnclosure<N, C>::undefined() {
+  TaylorEnclosure<N, C> result;
+  result.at.fill(C(1.0) / C(0.0));
+  result.over.fill(Interval::whole());
+  result.terms = N + 1;
+  result.reach = Interval::whole();
+  return result;
+}
+
+template <std::size_t N, class C>
 TaylorEnclosure<N, C> TaylorEnclosure<N, C>::variable(const C& centre, const Interval& piece) {
   TaylorEnclosure<N, C> result;
   result.at[0] = centre;

@@ -30,6 +30,8 @@ struct TaylorEnclosure {
   /// A literal of a tape, as Interval::literal takes it.
   [[nodiscard]] static TaylorEnclosure literal(const Real& value) { return constant(Centre::literal(value)); }
   [[nodiscard]] static TaylorEnclosure constant(const Centre& value);
+  /// A function of which nothing is known.
+  [[nodiscard]] static TaylorEnclosure undefined();
   /// x itself.
   [[nodiscard]] static TaylorEnclosure variable(const Centre& centre, const Interval& piece);
 };

@@ -143,26 +143,6 @@ class Advice(unittest.TestCase):
         self.assertEqual(run.returncode, 2)
         self.assertIn(b"--port 0", run.stderr)
 
-    def test_a_word_of_dashes_alone_is_no_option(self):
-        for word in ("---", "----", "--=", "-=", "--=3"):
-            for words in ((), ("modes", "cart_pendulum"), ("serve",), ("batch",), ("systems",), ("manual",)):
-                with self.subTest(words=words, word=word):
-                    run = qdot(*words, word)
-                    self.assertEqual((run.returncode, run.stdout), (2, b""))
-                    self.assertIn("there is no option", run.stderr.decode())
-
-    def test_a_variable_of_the_environment_is_named_and_stops_no_other_command(self):
-        """Kubernetes sets QDOT_PORT beside a service that is called qdot."""
-        port = {"QDOT_PORT": "tcp://10.96.0.12:80"}
-        for variable, typed in ((port, []), ({"QDOT_THREADS": "abc"}, ["--port", "0"]), ({"QDOT_DEADLINE": "-1"}, [])):
-            name, value = *variable.keys(), *variable.values()
-            run = qdot("serve", *typed, **variable)
-            self.assertEqual(run.returncode, 2)
-            self.assertIn(f"{name} is wrong: Value {value} not in range", run.stderr.decode())
-            self.assertEqual(qdot("modes", "cart_pendulum", **variable).returncode, 0)
-        run = qdot("serve", "--port", "99999", **port)
-        self.assertTrue(run.stderr.startswith(b"--port: Value 99999 not in range"), run.stderr)
-
     def test_help_has_the_symbols_of_a_system(self):
         text = qdot("modes", "cart_pendulum", "--help").stdout.decode()
         self.assertIn("stiffness of the spring between cart and wall (in N/m; default 2*m*g/l)", " ".join(text.split()))

@@ -4,10 +4,13 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "core/compile/tape_builder.hpp"
 #include "core/expr/calculus.hpp"
 #include "core/expr/print/print.hpp"
 #include "core/numerics/divided_difference.hpp"
+#include "core/numerics/taylor_enclosure.hpp"
 #include "tests/support/random_expression.hpp"
 
 namespace qdot::tape_evaluator_test {
@@ -57,6 +60,25 @@ TEST(TapeEvaluator, DividedDifferencesOfRandomExpressionsAreTheQuotientsOfTheirV
     ++compared;
   }
   EXPECT_GT(compared, 1500);
+}
+
+TEST(TapeEvaluator, AnArithmeticWithoutLinearSystemsKnowsNothingOfTheirSolutions) {
+  Graph graph;
+  const Expression x = graph.symbol("x"), zero = graph.number(0), one = graph.number(1);
+  const std::vector<Expression> unknowns{graph.symbol("u"), graph.symbol("v")};
+  TapeBuilder builder(graph, {}, graph.symbol("t"), {&x, 1});
+  builder.solve({.matrix = {{one + x * x, x}, {x, graph.number(3)}},
+                 .determinant = {},
+                 .right_hand_sides = {{one, x}},
+                 .unknowns = unknowns});
+  builder.output(unknowns[0] + zero);
+  const CompiledFunction tape = builder.finish();
+  TapeEvaluator<FineSeries> evaluator(tape, {});
+  const FineSeries place = FineSeries::variable(Ball(0.5), Interval(0.25, 0.75));
+  FineSeries found;
+  evaluator({&place, 1}, {&found, 1});
+  for (const Interval& coefficient : found.over) EXPECT_FALSE(coefficient.is_finite());
+  EXPECT_FALSE(std::isfinite(found.at[0].magnitude()));
 }
 
 }  // namespace
