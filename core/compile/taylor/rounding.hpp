@@ -69,7 +69,7 @@ class Rounding {
   void apply_sine_cosine(const Instruction& instruction, Slot x);
   [[nodiscard]] double of_entry(Slot m, std::size_t unknowns) const;
   [[nodiscard]] double part_made_again(const Instruction& instruction, const Slot* m,
-                                       std::span<const double> first) const;
+                                       std::span<double> first) const;
   void apply_solve(const Instruction& instruction, const Slot* operand);
 
   [[nodiscard]] const Remainder::Row* measured(Slot slot) const;

@@ -12,16 +12,20 @@ double Rounding::of_entry(Slot m, std::size_t unknowns) const {
   return sizes_[m].error + static_cast<double>(unknowns) * of_functions() * sizes_[m].most;
 }
 
-/// The largest p of `first` that dM makes of it, as the remainder has it; M's slots are given.
+/// The largest p of `first` that dM makes of it, as the remainder has it; M's slots are given. What in it is
+/// so small that its parts underflow becomes larger.
 double Rounding::part_made_again(const Instruction& instruction, const Slot* m,
-                                 std::span<const double> first) const {
+                                 std::span<double> first) const {
   const std::size_t n = first.size();
-  constexpr double small = 1.0 / 16;
+  constexpr double small = 1.0 / 16, above_underflow = 1e-280;
   double part = 0;
   for (std::size_t j = 0; j < n; ++j) {
     if (first[j] > 0) part = std::max(part, first[j] / sizes_[instruction.out + j].most);
   }
   if (part < small) return part;  // for rho holds |dM| |x|
+  for (double& one : first) {
+    if (one > 0) one = std::max(one, above_underflow);
+  }
   std::array<double, largest_system> rho{}, again{};
   for (std::size_t i = 0; i < n; ++i) {
     for (std::size_t j = 0; j < n; ++j) rho[i] += of_entry(m[i * n + j], n) * first[j];
