@@ -38,7 +38,9 @@ void Lanes::make_room(const std::function<bool()>& given_up) {
   if (task == nullptr || task->lane == Lane::lengthy || task->done) return;
   const State& it = state(task->lane);
   // A task asks often; a thread of low priority must not have the lock that often, which others wait for.
-  const auto is_misjudged = [&](double seconds) { return 1000 * seconds > misjudged * task->cost; };
+  const auto is_misjudged = [&](double seconds) {
+    return seconds >= it.limits.longest_stay && 1000 * seconds > misjudged * task->cost;
+  };
   const double at_most = seconds_since(task->begun);
   const bool stays = task->aside || none_may_step_aside(it);
   if (at_most < it.limits.longest_task || (stays && !is_misjudged(at_most))) return;

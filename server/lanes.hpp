@@ -51,17 +51,20 @@ struct LaneLimits {
   std::size_t waiting{};                                        ///< entries that the queue may have
   std::size_t bytes{std::size_t{64} << 20};                     ///< that its work may hold at a time
   double longest_task{};  ///< seconds of a processor, after which a task makes room for others
+  double longest_stay{};  ///< and after which one that was misjudged belongs into the next lane
 };
 
 struct LanesOptions {
   int threads{
       1};  ///< of each lane; what steps aside or changes lanes keeps its thread, and another takes its place
-  LaneLimits light{.longest_wait = 0.1, .burst_wait = 0.5, .waiting = 1024, .longest_task = 0.05};
+  LaneLimits light{
+      .longest_wait = 0.1, .burst_wait = 0.5, .waiting = 1024, .longest_task = 0.05, .longest_stay = 0.05};
   LaneLimits heavy{.longest_wait = 1,
                    .burst_wait = 5,
                    .waiting = 1024,
                    .bytes = std::size_t{32} << 20,
-                   .longest_task = 0.25};
+                   .longest_task = 0.25,
+                   .longest_stay = 1.5};
   LaneLimits lengthy{.longest_wait = 1, .burst_wait = 5, .waiting = 1024};
 };
 
