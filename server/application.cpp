@@ -85,6 +85,7 @@ LanesOptions within_deadline(LanesOptions lanes, Clock::duration deadline) {
   const double longest = part_for_waiting * std::chrono::duration<double>(deadline).count();
   for (LaneLimits* limits : {&lanes.light, &lanes.heavy, &lanes.lengthy}) {
     limits->burst_wait = std::min(limits->burst_wait, longest);
+    limits->longest_wait = std::min(limits->longest_wait, longest);
     limits->done_within = std::chrono::duration<double>(deadline).count();
   }
   return lanes;

@@ -65,7 +65,7 @@ struct LanesOptions {
                    .bytes = std::size_t{32} << 20,
                    .longest_task = 0.25,
                    .longest_stay = 1.5};
-  LaneLimits lengthy{.longest_wait = 1, .burst_wait = 5, .waiting = 1024};
+  LaneLimits lengthy{.longest_wait = 5, .burst_wait = 5, .waiting = 1024};
 };
 
 struct RunningTask;
