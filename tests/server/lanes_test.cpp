@@ -281,6 +281,7 @@ TEST(Lanes, WhatIsNoLongerThanItsLaneAllowsMakesNoRoom) {
   std::this_thread::sleep_for(20ms);
   EXPECT_FALSE(next_began);
   released.count_down();
+  lanes.wait_until_idle();
 }
 
 void soon(const std::function<bool()>& is_so) {
@@ -308,8 +309,8 @@ class MisjudgedWork : public testing::Test {
     return lanes_.gauges(lane).running + lanes_.gauges(lane).waiting == 0;
   }
 
-  Lanes lanes_{{.threads = 1, .light = hasty, .heavy = hasty, .lengthy = patient}};
   std::atomic<int> went_on_{0};
+  Lanes lanes_{{.threads = 1, .light = hasty, .heavy = hasty, .lengthy = patient}};
 };
 
 TEST_F(MisjudgedWork, WaitsInTheNextLane) {
