@@ -25,7 +25,10 @@ double Lanes::State::time_of(const Work& work, std::size_t threads) const {
   return work.cost / (work.spreads ? static_cast<double>(threads) : 1) * (recent_seconds / recent_cost);
 }
 
-void Lanes::State::give_place_back(RunningTask& task) { places -= std::exchange(task.places, 0); }
+void Lanes::State::give_place_back(RunningTask& task) {
+  if (task.places > 1) changed.notify_all();  // its own thread takes one of them
+  places -= std::exchange(task.places, 0);
+}
 
 double Lanes::State::longest_wait(Steady::time_point now) const {
   const std::chrono::duration<double> busy = now - idle;
