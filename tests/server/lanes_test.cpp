@@ -215,10 +215,13 @@ TEST(Lanes, WhatSpreadsTakesAllPlacesThatAreFree) {
                                            .spreads = true}));
   begun.wait();
   Occupied second(lanes, Lane::lengthy);
+  Occupied third(lanes, Lane::lengthy);
   std::this_thread::sleep_for(20ms);
   EXPECT_FALSE(second.has_begun());
   released.count_down();
   second.wait_until_begun();
+  third.wait_until_begun();
+  third.release();
   std::latch beside{1};
   EXPECT_TRUE(lanes.submit(Lane::lengthy, {.task = [&] { beside.count_down(); }, .spreads = true}));
   beside.wait();  // in the place that was free
