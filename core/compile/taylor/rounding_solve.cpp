@@ -13,7 +13,7 @@ double Rounding::of_entry(Slot m, std::size_t unknowns) const {
 }
 
 /// The largest p of `first` that dM makes of it, as the remainder has it; M's slots are given. What in it is
-/// so small that its parts underflow becomes larger.
+/// so small that its parts underflow becomes larger, and so does a zero, of which nothing is a part.
 double Rounding::part_made_again(const Instruction& instruction, const Slot* m,
                                  std::span<double> first) const {
   const std::size_t n = first.size();
@@ -23,9 +23,7 @@ double Rounding::part_made_again(const Instruction& instruction, const Slot* m,
     if (first[j] > 0) part = std::max(part, first[j] / sizes_[instruction.out + j].most);
   }
   if (part < small) return part;  // for rho holds |dM| |x|
-  for (double& one : first) {
-    if (one > 0) one = std::max(one, above_underflow);
-  }
+  for (double& one : first) one = std::max(one, above_underflow);
   std::array<double, largest_system> rho{}, again{};
   for (std::size_t i = 0; i < n; ++i) {
     for (std::size_t j = 0; j < n; ++j) rho[i] += of_entry(m[i * n + j], n) * first[j];
