@@ -27,6 +27,13 @@ class Budget {
       return *this;
     }
 
+    /// Gives back all but so many bytes.
+    void shrink_to(std::size_t bytes) {
+      if (budget_ == nullptr || bytes >= bytes_) return;
+      budget_->used_ -= bytes_ - bytes;
+      bytes_ = bytes;
+    }
+
    private:
     Budget* budget_{nullptr};
     std::size_t bytes_{0};

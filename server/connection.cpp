@@ -124,9 +124,10 @@ std::optional<Incoming> Connection::expire(Clock::time_point now) {
     }
     return std::nullopt;
   }
+  const std::size_t taken = state_ == State::writing ? count_taken(now) : 0;
   if (now < deadline_) return std::nullopt;
-  if (state_ == State::writing && taken() >= written_ + write_slice) {
-    written_ = taken();
+  if (state_ == State::writing && taken >= written_ + write_slice) {
+    written_ = taken;
     deadline_ = now + patience_.write;
     return std::nullopt;
   }
@@ -139,9 +140,10 @@ void Connection::deliver(Outgoing outgoing, Clock::time_point now) {
   outgoing_ = std::move(outgoing);
   body_share_.reset();
   state_ = State::writing;
-  answered_ = now;
+  answered_ = took_ = now;
   deadline_ = now + patience_.write;
-  written_ = taken();
+  taken_ = 0;
+  written_ = count_taken(now);
   write(now);
 }
 
@@ -168,10 +170,12 @@ void Connection::write(Clock::time_point now) {
 
 /// Bytes of the answer that have reached the client. What is sent may be megabytes that the kernel keeps, and
 /// it takes more only when a third of that is gone.
-std::size_t Connection::taken() const {
+std::size_t Connection::count_taken(Clock::time_point now) {
   int kept = 0;
-  if (::ioctl(socket(), SIOCOUTQ, &kept) != 0 || kept < 0) return outgoing_.sent();
-  return outgoing_.sent() - std::min(outgoing_.sent(), static_cast<std::size_t>(kept));
+  if (::ioctl(socket(), SIOCOUTQ, &kept) != 0 || kept < 0) kept = 0;
+  const std::size_t taken = outgoing_.sent() - std::min(outgoing_.sent(), static_cast<std::size_t>(kept));
+  if (taken > taken_) took_ = now;
+  return taken_ = std::max(taken, taken_);
 }
 
 void Connection::wait_for_next(Clock::time_point now) {

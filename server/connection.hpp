@@ -74,6 +74,14 @@ class Connection {
   [[nodiscard]] bool is_in_the_way(Clock::time_point now) const {
     return state_ == State::writing && now - answered_ > patience_.crowded;
   }
+  /// True when the client has been reading its answer since then, or for longer.
+  [[nodiscard]] bool is_read_since(Clock::time_point then) const {
+    return state_ == State::writing && answered_ <= then;
+  }
+  /// True when the client has taken nothing of it for as long.
+  [[nodiscard]] bool takes_nothing(Clock::time_point now) const {
+    return state_ == State::writing && now - took_ > patience_.crowded;
+  }
   [[nodiscard]] std::size_t unsent() const { return outgoing_.unsent(); }
   /// True when the client has stopped sending and it is not yet clear whether it has left.
   [[nodiscard]] bool leaving() const { return state_ == State::answering && gone_at_.has_value(); }
@@ -82,7 +90,7 @@ class Connection {
   std::optional<Incoming> read(Clock::time_point now);
   std::optional<Incoming> take_request(Clock::time_point now);
   void write(Clock::time_point now);
-  [[nodiscard]] std::size_t taken() const;
+  std::size_t count_taken(Clock::time_point now);
   void discard();
   void wait_for_next(Clock::time_point now);
   void linger(Clock::time_point now);
@@ -95,12 +103,14 @@ class Connection {
   Clock::time_point deadline_;
   Clock::time_point begun_{};     // when the first byte of the request came
   Clock::time_point answered_{};  // when the answer was there
+  Clock::time_point took_{};      // when the client was last seen to take some of it
   MessageReader reader_;
   Outgoing outgoing_;
   std::optional<Budget::Share> body_share_;
   std::weak_ptr<Exchange> exchange_;
   std::optional<Clock::time_point> gone_at_;
   std::size_t written_{0};    // bytes of the answer that the client had when the deadline was set
+  std::size_t taken_{0};      // and when they were counted last
   std::size_t discarded_{0};  // while lingering
   Follow follow_{Follow::close};
   bool fresh_{true};     // no request has come yet

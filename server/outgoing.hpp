@@ -1,6 +1,6 @@
 #pragma once
 // An answer as bytes on their way to a client. It is ours because httplib waits in a thread until the client
-// has read; here a slow reader costs memory only.
+// has read; here a slow reader costs memory only, and of that no more than is not sent.
 
 #include <cstddef>
 #include <string>
@@ -35,11 +35,13 @@ class Outgoing {
 
  private:
   explicit Outgoing(std::string_view fixed) : fixed_(fixed) {}
+  void give_back_sent();
 
   std::string_view fixed_;  // in place of head and body
   std::string head_;
   std::string body_;
   std::size_t sent_{0};
+  std::size_t given_back_{0};  // of the body
   Follow follow_{Follow::close};
 };
 

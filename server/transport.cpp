@@ -209,7 +209,7 @@ struct Transport::Impl {
   void settle(Entries::iterator entry) {
     Entry& it = entry->second;
     const State state = it.connection.state();
-    if (state != State::answering && state != State::writing) it.unsent = {};
+    if (state != State::answering) it.unsent.shrink_to(state == State::writing ? it.connection.unsent() : 0);
     if (it.connection.leaving()) {
       someone_leaves_ = true;
       next_sweep_ = std::min(next_sweep_, now_ + leaving_interval);
@@ -245,13 +245,15 @@ struct Transport::Impl {
     next_sweep_ = now_ + (someone_leaves_ ? leaving_interval : sweep_interval);
   }
 
-  /// Closes, of the connections whose clients read slowly, the one with most to read.
+  /// Closes, of the connections whose clients read nothing, or else slowly, the one with most to read.
   void drop_one_in_the_way() {
+    const auto weight = [this](const Entry& entry) {
+      return std::pair(entry.connection.takes_nothing(now_), entry.connection.unsent());
+    };
     auto most = entries_.end();
     for (auto entry = entries_.begin(); entry != entries_.end(); ++entry) {
-      const Connection& connection = entry->second.connection;
-      if (!connection.is_in_the_way(now_)) continue;
-      if (most == entries_.end() || connection.unsent() > most->second.connection.unsent()) most = entry;
+      if (!entry->second.connection.is_in_the_way(now_)) continue;
+      if (most == entries_.end() || weight(entry->second) > weight(most->second)) most = entry;
     }
     if (most == entries_.end()) return;
     most->second.connection.close();
@@ -259,15 +261,21 @@ struct Transport::Impl {
   }
 
   /// The server is about to end: only requests in flight keep their connections, and clients that still send
-  /// or read, for as long as one slice of an answer may take.
+  /// or read, for as long as one slice of an answer may take. Probes are answered until the answers that were
+  /// there before are out.
   void release_idle() {
-    entrance_.close();
     if (!last_moment_) last_moment_ = now_ + patience_.write;
     const bool late = now_ > *last_moment_;
+    const bool one_goes_out = std::ranges::any_of(entries_, [&](const auto& entry) {
+      return entry.second.connection.is_read_since(*last_moment_ - patience_.write);
+    });
+    const bool ends = late || !one_goes_out;
+    if (ends) entrance_.close();
     for (auto entry = entries_.begin(); entry != entries_.end();) {
       const auto here = entry++;
       const State state = here->second.connection.state();
-      if (state == State::waiting || (late && state != State::answering)) here->second.connection.close();
+      if ((ends && state == State::waiting) || (late && state != State::answering))
+        here->second.connection.close();
       settle(here);
     }
   }

@@ -5,7 +5,9 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <cstdlib>
 #include <functional>
+#include <new>
 #include <numeric>
 
 #include "core/base/error.hpp"
@@ -19,6 +21,19 @@ struct Number::Large {
 };
 
 namespace {
+
+// GMP ends the program where there is no memory. Its functions in C have the tables by which an exception
+// passes.
+void* allocate(std::size_t bytes) {
+  if (void* const memory = std::malloc(bytes)) return memory;
+  throw std::bad_alloc();
+}
+void* reallocate(void* memory, std::size_t, std::size_t bytes) {
+  if (void* const moved = std::realloc(memory, bytes)) return moved;
+  throw std::bad_alloc();
+}
+void release(void* memory, std::size_t) { std::free(memory); }
+[[maybe_unused]] const bool throws = (mp_set_memory_functions(allocate, reallocate, release), true);
 
 using Wide = __int128;
 using Integer = mpz_class;

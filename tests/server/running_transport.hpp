@@ -99,6 +99,13 @@ class RawClient {
       bytes.append(part.data(), static_cast<std::size_t>(count));
     return bytes;
   }
+  /// At most so many bytes, as soon as there are some.
+  std::string read_part(std::size_t size) const {
+    std::string bytes(size, ' ');
+    const auto count = ::recv(socket_, bytes.data(), size, 0);
+    bytes.resize(count > 0 ? static_cast<std::size_t>(count) : 0);
+    return bytes;
+  }
   std::size_t read_some(std::size_t size) const {
     std::vector<char> part(size);
     const auto count = ::recv(socket_, part.data(), part.size(), MSG_DONTWAIT);

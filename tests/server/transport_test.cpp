@@ -211,6 +211,69 @@ TEST(Transport, WhereAnswersCrowdThoseWhoReadSlowlyAreCutOff) {
   EXPECT_EQ(server.transport().gauges().connections, 1u) << "one was enough";
 }
 
+TEST(Transport, WhatIsSentIsKeptNoLonger) {
+  const std::string body = large + large + large;
+  RunningTransport server([&](const Incoming&) { return api::Response{.status = 200, .body = body}; },
+                          {.port = 0, .patience = {.write = 600s}});
+  const RawClient slow(server.port());
+  slow.send(close_after);
+  while (server.transport().gauges().unsent_bytes == 0) std::this_thread::yield();
+  std::string read;
+  while (read.size() < 2 * large.size()) read += slow.read_part(1 << 16);
+  while (server.transport().gauges().unsent_bytes > large.size()) std::this_thread::sleep_for(1ms);
+  EXPECT_EQ(server.transport().gauges().connections, 1u);
+  read += slow.read_large();
+  EXPECT_TRUE(read.ends_with("\r\n\r\n" + body));
+}
+
+TEST(Transport, WhoReadsNothingGivesWayBeforeWhoReadsSlowly) {
+  const std::string more = large + large + large + large + large;
+  const auto answer = [&](const Incoming& incoming) {
+    return api::Response{.status = 200,
+                         .body = std::get<api::Request>(incoming).target == "/less" ? large : more};
+  };
+  RunningTransport server(
+      answer,
+      {.port = 0, .unsent_bytes = more.size() + large.size(), .patience = {.write = 600s, .crowded = 100ms}});
+  const RawClient silent(server.port()), slow(server.port());
+  silent.send("GET /less HTTP/1.1\r\nHost: a\r\n\r\n");
+  slow.send(close_after);
+  std::string read;
+  for (int i = 0; i < 30; ++i) {
+    read += slow.read_part(1 << 14);
+    std::this_thread::sleep_for(10ms);
+  }
+  EXPECT_EQ(server.transport().gauges().connections, 2u);
+  const RawClient third(server.port());
+  third.send(close_after);
+  while (server.transport().gauges().connections != 1) {
+    read += slow.read_part(1 << 14);
+    std::this_thread::sleep_for(1ms);
+  }
+  read += slow.read_large();
+  EXPECT_TRUE(read.ends_with("\r\n\r\n" + more));
+}
+
+TEST(Transport, ProbesAreAnsweredWhileAnswersGoOut) {
+  RunningTransport server(
+      [](const Incoming& incoming) {
+        return std::get<api::Request>(incoming).target == "/last" ? large_answer(incoming) : echo(incoming);
+      },
+      {.port = 0, .patience = {.write = 600s}});
+  const RawClient slow(server.port());
+  slow.send(close_after);
+  while (server.transport().gauges().unsent_bytes == 0) std::this_thread::yield();
+  server.transport().stop();
+  for (int i = 0; i < 20; ++i) {
+    const RawClient probe(server.port());
+    std::this_thread::sleep_for(5ms);
+    probe.send("GET /probe HTTP/1.1\r\nHost: a\r\n\r\n");
+    EXPECT_THAT(probe.read_all(), EndsWith("GET /probe \n"));
+  }
+  EXPECT_TRUE(slow.read_large().ends_with(large));
+  server.stop();
+}
+
 TEST(Transport, AReaderThatIsSlowDoesNotHoldUpTheEnd) {
   RunningTransport server(large_answer, {.port = 0, .patience = {.write = 300ms}});
   const RawClient client(server.port());

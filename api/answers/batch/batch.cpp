@@ -1,4 +1,7 @@
 #include <algorithm>
+#include <array>
+#include <atomic>
+#include <numeric>
 
 #include "api/answers/asking.hpp"
 #include "api/answers/batch/line.hpp"
@@ -74,7 +77,7 @@ Problem answers_too_long() {
 }
 
 /// The answers in order. From the first on that would make them too many bytes together, lines are refused:
-/// how many are made at a time changes no answer.
+/// how many are made at a time changes no answer. What comes after too many bytes is not made at all.
 std::string answers_to(const std::vector<std::string_view>& lines, const FieldSet& fields, const Call& call,
                        const Asking& asking) {
   const AskEndpoint ask = [&](const std::string& endpoint, std::string body) {
@@ -88,8 +91,12 @@ std::string answers_to(const std::vector<std::string_view>& lines, const FieldSe
   std::size_t at_a_time = fewest_at_a_time;
   for (std::size_t begin = 0; begin < lines.size();) {
     std::vector<std::string> answers(std::min(at_a_time, lines.size() - begin));
+    std::array<std::atomic<std::size_t>, most_at_a_time> sizes{};
     for_each(call.request, answers.size(), [&](std::size_t i) {
-      answers[i] = answered_line(lines[begin + i], fields, is_full ? refuse : ask);
+      const std::size_t before = std::accumulate(sizes.begin(), sizes.begin() + i, text.size());
+      const bool is_behind = is_full || before > limits::batch_answer_bytes;
+      answers[i] = answered_line(lines[begin + i], fields, is_behind ? refuse : ask);
+      sizes[i] = answers[i].size();
     });
     at_a_time = std::min(2 * at_a_time, most_at_a_time);
     for (std::size_t i = 0; i < answers.size(); ++i) {
