@@ -158,7 +158,8 @@ TEST(Application, WhatWasThoughtTooLightLetsOthersBegin) {
         if (request.target == "/v1/heavy") other_began = true;
         if (request.target == "/v1/misjudged") {
           begun.count_down();
-          while (!other_began && !request.interrupted()) std::this_thread::yield();
+          while (!other_began && !request.interrupted()) {
+          }
         }
         return api::Response{.status = other_began ? 200 : 503};
       },

@@ -103,5 +103,5 @@ def record(method, target, body, response):
 
 def qdot(*arguments, stdin="", **environment):
     """Runs one command to its end: returncode, stdout and stderr as bytes."""
-    return subprocess.run([QDOT, *arguments], input=stdin.encode(), capture_output=True, timeout=60, check=False,
+    return subprocess.run([QDOT, *arguments], input=stdin.encode(), capture_output=True, timeout=180, check=False,
                           env={**ENVIRONMENT, **environment})
