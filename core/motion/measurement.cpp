@@ -192,11 +192,12 @@ bool Measurement::add_check(std::vector<Simulation>& others, double direction) {
       return growth->add(first, rows) || !is_enough_to_expect(result_.tolerances, growth->expected());
     };
   }
+  const Tolerances tolerances = request.tolerances;
   Simulation& other = others.emplace_back(run(std::move(request)));
   add_hidden_impacts(now, other);
   event_rows_->set_apart(other, request_.y_start.size());
   if (other.method == Method::bdf)
-    add_rounding_in_common(now, {largest_magnitudes(now, Rows::all), largest_of_kind(now)}, other);
+    add_what_is_in_common(now, {largest_magnitudes(now, Rows::all), largest_of_kind(now)}, tolerances, other);
   if (other.ending != Ending::given_up) return can_be_checked_by(other);
   expected_excess_ = growth->expected();
   return false;

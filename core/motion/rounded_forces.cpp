@@ -11,8 +11,9 @@ namespace qdot {
 namespace {
 
 constexpr double of_sides = 0.1;  ///< of a force: on a kink doubles and more digits may take another side
-constexpr double of_a_step = 0x1p-53;  ///< half a last place: a step's sum is rounded to nearest
-constexpr std::size_t rows_tried = 8;  ///< each costs an evaluation in double-doubles
+constexpr double of_a_step = 0x1p-53;   ///< half a last place: a step's sum is rounded to nearest
+constexpr double some_tolerances = 10;  ///< of a step, in all of them
+constexpr std::size_t rows_tried = 8;   ///< each costs an evaluation in double-doubles
 
 /// Calls take(t, y) for some rows.
 template <class Take>
@@ -92,7 +93,8 @@ std::vector<double> rounding_at_rest(const ComputedMotion& motion) {
   return left;
 }
 
-void add_rounding_in_common(const ComputedMotion& motion, const Sizes& sizes, Simulation& check) {
+void add_what_is_in_common(const ComputedMotion& motion, const Sizes& sizes, const Tolerances& tolerances,
+                           Simulation& check) {
   if (check.method != Method::bdf || check.rows == 0) return;
   const std::size_t width = motion.width(), n = width / 2;
   const std::vector<double> off = rounding_of_forces(motion), c = damping(motion),
@@ -110,6 +112,8 @@ void add_rounding_in_common(const ComputedMotion& motion, const Sizes& sizes, Si
       unseen[n + i] += of_force + of_velocity;
       unseen[i] += of_force * t + of_velocity * std::min(t, tau[i]) + of_steps[i];
     }
+    for (std::size_t k = 0; k < width; ++k)
+      unseen[k] += some_tolerances * (tolerances.rtol * sizes.of_columns[k] + tolerances.atol);
   }
 }
 

@@ -1,8 +1,8 @@
 #pragma once
-// What rounding makes of the forces and of the steps of a motion. Checks by Taylor's method bound it over
-// each step (core/compile/taylor/rounding.hpp, core/integrate/own_errors.hpp); one by bdf has it in common
-// with the motion. There damping rules, and a force that is off by d, as some rows show by double-doubles,
-// takes a velocity d/c away,
+// What a check has in common with a motion: what rounding makes of the forces and of the steps. Checks by
+// Taylor's method bound it over each step (core/compile/taylor/rounding.hpp, core/integrate/own_errors.hpp);
+// one by bdf has it in common with the motion. There damping rules, and a force that is off by d, as some
+// rows show by double-doubles, takes a velocity d/c away,
 //
 //   e_v = d min(t, 1/c),   e_q = e_v t,   c = -da/dv.
 //
@@ -15,6 +15,13 @@
 //
 // with the largest q and v of their kind in the motion of length T. Both are estimates: of each coordinate
 // by itself.
+//
+// And where a motion changes by less than the tolerances of the check, such as one of nanometres with an
+// absolute one of 1e-12 m, these shorten no step of either: both are off alike. Some times the check's own,
+//
+//   e_i = 10 (rtol |y_i| + atol),
+//
+// is then more than the error; beside the motion's, which are a thousand times larger, it is little.
 
 #include <vector>
 
@@ -34,7 +41,8 @@ struct Sizes {
   std::vector<double> of_columns, of_kind;
 };
 
-/// Adds both to what a check by bdf has not seen. Not where there are kinks.
-void add_rounding_in_common(const ComputedMotion& motion, const Sizes& sizes, Simulation& check);
+/// Adds all of it to what a check by bdf with these tolerances has not seen. Not where there are kinks.
+void add_what_is_in_common(const ComputedMotion& motion, const Sizes& sizes, const Tolerances& tolerances,
+                           Simulation& check);
 
 }  // namespace qdot

@@ -47,6 +47,22 @@ TEST(StrongDamping, IsNotCheckedWithTheToleranceOfTheMotion) {
   }
 }
 
+/// Their tolerances shorten no step where all of the motion is smaller.
+TEST(StrongDamping, OfASmallMotionIsKnownByToleranceAlone) {
+  for (const double x0 : {1e-9, 4e-10, 2e-11}) {
+    for (const double b : {900.0, 3e4, 3.48e5}) {
+      const Damped system{1, b, 64, x0};
+      const std::vector<double> grid = test::instants(7, 5);
+      const MeasuredSimulation m = measured(system, grid, 1e-9);
+      ASSERT_EQ(m.max_abs_error.size(), 2U) << m.reason;
+      for (std::size_t i = 0; i < m.simulation.rows; ++i)
+        EXPECT_NEAR(test::row(m.simulation, i)[0], system.x(grid[i]), m.max_abs_error[0])
+            << b << " " << grid[i];
+      EXPECT_LT(m.max_abs_error[0], 1e-11);
+    }
+  }
+}
+
 /// Each step may round its sums alike in both.
 TEST(StrongDamping, CountsTheRoundingOfItsSteps) {
   const Damped system{1, 2000, 3, 1};
