@@ -197,7 +197,10 @@ void Application::compute(Case& it) {
     // While it waited, answers before it may have piled up at clients who do not read.
     if (!has_room(it.lane)) return shed(it);
     it.request->interrupted = over;
-    it.request->spread = spread_over(options_.lanes.threads, Help::beside_light_work);
+    it.request->spread = spread_over(options_.lanes.threads, Help::beside_light_work, [&](double helped) {
+      Lanes::count_help(helped);
+      (void)over();
+    });
     auto response = parts_.answer(*it.request);
     add_queue_time(it.waited, response);
     finish(it, std::move(response));

@@ -31,6 +31,10 @@ RunningTask* RunningTask::place() {
   return turn->state == LentTurn::State::taken ? turn->lent : nullptr;
 }
 
+void Lanes::count_help(double seconds) {
+  if (RunningTask* const task = current_ == nullptr ? nullptr : current_->place()) task->had -= seconds;
+}
+
 bool Lanes::none_may_step_aside(const State& lane) const { return lane.aside >= threads_; }
 
 void Lanes::make_room(const std::function<bool()>& given_up) {
@@ -68,15 +72,12 @@ void Lanes::step_aside(RunningTask& task) {
 std::shared_ptr<LentTurn> Lanes::leave(RunningTask& task, double milliseconds) {
   RunningTask& place = *task.place();
   if (turns_waited_for_ >= most_turns_waited_for) return nullptr;
+  if (!task.turn && !task.aside && !add_worker(task.lane)) return nullptr;
   const auto turn = std::make_shared<LentTurn>();
   enqueue(state(next(place.lane)), {.cost = milliseconds,
                                     .bytes = place.bytes,
                                     .task = [this, turn] { lend(*turn); },
                                     .lends_its_turn = true});
-  if (!task.turn && !task.aside && !add_worker(task.lane)) {
-    turn->state = LentTurn::State::given_up;
-    return nullptr;
-  }
   State& it = state(place.lane);
   it.bytes -= std::exchange(place.bytes, 0);
   if (task.turn) {

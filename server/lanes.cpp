@@ -89,11 +89,13 @@ bool Lanes::next_may_begin(const State& lane) const {
 
 /// False where no thread can be had.
 bool Lanes::add_worker(Lane lane) {
+  if (Steady::now() < no_thread_until_) return false;
   retired_.clear();
   try {
     workers_.emplace_back([this, lane] { work(lane); });
     return true;
   } catch (const std::exception&) {
+    no_thread_until_ = Steady::now() + std::chrono::milliseconds(100);
     return false;
   }
 }

@@ -64,7 +64,7 @@ struct LanesOptions {
                    .waiting = 1024,
                    .bytes = std::size_t{32} << 20,
                    .longest_task = 0.25,
-                   .longest_stay = 1.5};
+                   .longest_stay = 0.5};
   LaneLimits lengthy{.longest_wait = 5, .burst_wait = 5, .waiting = 1024};
 };
 
@@ -96,6 +96,9 @@ class Lanes {
   /// another may run beside it from now on: at most `threads` tasks of a lane step aside at a time, and of
   /// the lengthy lane none.
   void make_room(const std::function<bool()>& given_up);
+
+  /// What other threads have computed for the task of this one, in seconds of a processor, counts as its own.
+  static void count_help(double seconds);
 
   /// A task calls this just before its answer goes out: nothing waits for it any more. Its client's next
   /// request may come before this thread runs again. What was given up tells no pace.
@@ -158,6 +161,7 @@ class Lanes {
   std::array<State, all_lanes.size()> states_;
   std::condition_variable idle_;
   bool closed_{false};
+  std::chrono::steady_clock::time_point no_thread_until_{};  // then it is tried again whether one can be had
   std::size_t turns_waited_for_{0};
   std::list<std::jthread> retired_, workers_;
 };
