@@ -9,6 +9,7 @@
 #include <tuple>
 
 #include "core/motion/ladder.hpp"
+#include "core/motion/resolved_size.hpp"
 #include "core/motion/simulation.hpp"
 #include "core/numerics/constants.hpp"
 
@@ -70,6 +71,12 @@ class Candidates {
   std::vector<PossibleExtremum> all_;
 };
 
+/// None hides a motion that begins small.
+Tolerances tolerances_for(std::span<const double> start) {
+  const auto [rtol, atol] = tolerances_of_extrema;
+  return {.rtol = rtol, .atol = std::min(atol, rtol * resolved_size(start))};
+}
+
 SimulationRequest motion_of(const Dynamics& dynamics, const ExtremaRequest& request) {
   const std::string name = dynamics.model().scene.coordinates[request.coordinate].name;
   return {.parameters = request.parameters,
@@ -84,7 +91,7 @@ SimulationRequest motion_of(const Dynamics& dynamics, const ExtremaRequest& requ
           .on_invalid = request.on_invalid,
           .impacts = request.impacts,
           .method = Method::taylor,
-          .tolerances = tolerances_of_extrema,
+          .tolerances = tolerances_for(request.y_start),
           .limits = request.limits};
 }
 

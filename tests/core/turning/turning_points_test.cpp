@@ -359,6 +359,23 @@ TEST(TrajectoryExtrema, OfAnIsotropicOscillatorAreItsEllipses) {
   EXPECT_EQ(found.initial, InitialPlace::maximum);
 }
 
+TEST(TrajectoryExtrema, OfASmallMotionAreKnownByItsSize) {
+  for (const double x0 : {1e-9, 1e-12, 1e-30}) {
+    const Start start = start_of("damped_oscillator", {{"m", 1}, {"b", 0}, {"k", 3}}, {{"x", x0}});
+    const TrajectoryExtrema found =
+        trajectory_extrema(dynamics_of("damped_oscillator"), {.parameters = start.parameters,
+                                                              .y_start = start.y,
+                                                              .coordinate = 0,
+                                                              .t_start = 0,
+                                                              .t_end = 50,
+                                                              .on_invalid = OnInvalid::stop,
+                                                              .impacts = Impacts::apply,
+                                                              .limits = {}});
+    EXPECT_NEAR(*found.minimum.value, -x0, found.minimum.error);
+    EXPECT_LT(found.minimum.error, 1e-9 * x0);
+  }
+}
+
 TEST(TurningPoints, AreTheSameBitsEveryTime) {
   const auto ask = [] { return points("free_spin_pendulum", {}, {{"theta", 0.3}, {"theta_dot", 0.2}}); };
   const TurningPoints one = ask(), two = ask();
