@@ -52,6 +52,38 @@ std::vector<double> values_of(std::span<const Ball> balls) {
   return values;
 }
 
+/// What the entries of K are of one size in, whatever the scene's units are: displacements of inertia 1, so
+/// that K holds squares of rates. What has no inertia, as a multiplier, is measured by what it does to the
+/// others: the largest entry in its row becomes the largest that they have among themselves.
+VectorXd comparable_units(const MatrixXd& k, const MatrixXd& m) {
+  const Eigen::Index n = k.rows();
+  VectorXd units = VectorXd::Zero(n);  // of those that are not known yet
+  for (Eigen::Index i = 0; i < n; ++i)
+    if (m(i, i) > 0) units[i] = 1 / std::sqrt(m(i, i));
+  const auto acting_on = [&](Eigen::Index i) {
+    double largest = 0;
+    for (Eigen::Index j = 0; j < n; ++j)
+      largest = std::max(largest, std::max(std::abs(k(i, j)), std::abs(k(j, i))) * units[j]);
+    return largest;
+  };
+  double among = 0;
+  for (Eigen::Index i = 0; i < n; ++i) among = std::max(among, units[i] * acting_on(i));
+  if (among == 0) among = 1;
+  for (bool goes_on = true; goes_on;) {
+    goes_on = false;
+    VectorXd next = units;
+    for (Eigen::Index i = 0; i < n; ++i) {
+      const double acts = acting_on(i), own = std::sqrt(std::abs(k(i, i)) / among);
+      if (units[i] == 0 && std::max(acts, own) > 0) {
+        next[i] = 1 / std::max(acts / among, own);
+        goes_on = true;
+      }
+    }
+    units = next;
+  }
+  return (units.array() > 0).select(units, 1);
+}
+
 class NewtonSearch {
  public:
   NewtonSearch(const Dynamics& dynamics, const Statics& statics, std::span<const Ball> constants,
@@ -129,13 +161,12 @@ class NewtonSearch {
   }
   std::optional<MatrixXd> stiffness(const VectorXd& x) { return values(statics_.stiffness, stiffness_, x); }
 
-  /// The least x with K x = g, lengths and angles made comparable by the inertia.
+  /// The least x with K x = g, coordinates made comparable by comparable_units.
   std::optional<MatrixXd> inverse_stiffness(const VectorXd& x) {
     const auto k = stiffness(x);
     const auto m = values(statics_.inertia, inertia_, x);
     if (!k || !m) return std::nullopt;
-    VectorXd scale(x.size());
-    for (Eigen::Index i = 0; i < x.size(); ++i) scale[i] = (*m)(i, i) > 0 ? 1 / std::sqrt((*m)(i, i)) : 1;
+    const VectorXd scale = comparable_units(*k, *m);
     const MatrixXd scaled = scale.asDiagonal() * *k * scale.asDiagonal();
     if (!scaled.allFinite()) return std::nullopt;
     return scale.asDiagonal() * pseudo_inverse(scaled, none_below_) * scale.asDiagonal();
