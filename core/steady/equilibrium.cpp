@@ -9,6 +9,7 @@
 #include "core/compile/tape_evaluator.hpp"
 #include "core/numerics/constants.hpp"
 #include "core/numerics/dense_matrix.hpp"
+#include "core/steady/comparable_units.hpp"
 #include "core/steady/equilibrium_family.hpp"
 #include "core/steady/gradient_flow.hpp"
 #include "core/steady/model_conditions.hpp"
@@ -52,38 +53,6 @@ std::vector<double> values_of(std::span<const Ball> balls) {
   return values;
 }
 
-/// What the entries of K are of one size in, whatever the scene's units are: displacements of inertia 1, so
-/// that K holds squares of rates. What has no inertia, as a multiplier, is measured by what it does to the
-/// others: the largest entry in its row becomes the largest that they have among themselves.
-VectorXd comparable_units(const MatrixXd& k, const MatrixXd& m) {
-  const Eigen::Index n = k.rows();
-  VectorXd units = VectorXd::Zero(n);  // of those that are not known yet
-  for (Eigen::Index i = 0; i < n; ++i)
-    if (m(i, i) > 0) units[i] = 1 / std::sqrt(m(i, i));
-  const auto acting_on = [&](Eigen::Index i) {
-    double largest = 0;
-    for (Eigen::Index j = 0; j < n; ++j)
-      largest = std::max(largest, std::max(std::abs(k(i, j)), std::abs(k(j, i))) * units[j]);
-    return largest;
-  };
-  double among = 0;
-  for (Eigen::Index i = 0; i < n; ++i) among = std::max(among, units[i] * acting_on(i));
-  if (among == 0) among = 1;
-  for (bool goes_on = true; goes_on;) {
-    goes_on = false;
-    VectorXd next = units;
-    for (Eigen::Index i = 0; i < n; ++i) {
-      const double acts = acting_on(i), own = std::sqrt(std::abs(k(i, i)) / among);
-      if (units[i] == 0 && std::max(acts, own) > 0) {
-        next[i] = 1 / std::max(acts / among, own);
-        goes_on = true;
-      }
-    }
-    units = next;
-  }
-  return (units.array() > 0).select(units, 1);
-}
-
 class NewtonSearch {
  public:
   NewtonSearch(const Dynamics& dynamics, const Statics& statics, std::span<const Ball> constants,
@@ -102,6 +71,7 @@ class NewtonSearch {
       free_.push_back(!depends_on_any(statics.reduction.x[i]));
       sizes_.push_back(angle_.back() || guess[i] == 0 ? 1 : std::abs(guess[i]));
     }
+    measure();
   }
 
   Equilibrium nearest() {
@@ -119,8 +89,8 @@ class NewtonSearch {
     const std::optional<VectorXd> low = is_at_rest(guess_) ? guess_ : descended();
     if (!low) return std::nullopt;
     const bool is_seen_only = only && *low != guess_;
-    auto found =
-        valid_one(from(*low, [&](const VectorXd& x) { return length(x - *low) < near_by && in_domain(x); }));
+    auto found = valid_one(
+        from(*low, [&](const VectorXd& x) { return length(x - *low, *low) < near_by && in_domain(x); }));
     if (!found) return std::nullopt;
     return FoundEquilibrium{*std::move(found), is_seen_only ? Arrival::seen_downhill : Arrival::downhill};
   }
@@ -172,11 +142,31 @@ class NewtonSearch {
     return scale.asDiagonal() * pseudo_inverse(scaled, none_below_) * scale.asDiagonal();
   }
 
-  /// A step's length in units of what each coordinate is.
-  [[nodiscard]] double length(const VectorXd& step) const {
+  /// Where no force is seen it would be rounding that measures.
+  void measure() {
+    if (is_at_rest(guess_)) return;
+    const auto g = forces(guess_);
+    const auto k = stiffness(guess_);
+    const auto m = values(statics_.inertia, inertia_, guess_);
+    if (!g || !k || !m) return;
+    const VectorXd sizes = sizes_at({guess_, *g, *k, *m}, angle_);
+    sizes_.assign(sizes.begin(), sizes.end());
+  }
+
+  /// In each coordinate the guess's size, or the way from there to x.
+  [[nodiscard]] std::vector<double> sizes_on_way(const VectorXd& x) const {
+    std::vector<double> sizes = sizes_;
+    for (std::size_t i = 0; i < sizes.size(); ++i)
+      sizes[i] = std::max(sizes[i], std::abs(x[index(i)] - guess_[index(i)]));
+    return sizes;
+  }
+
+  /// A step's length in units of what each coordinate is at x.
+  [[nodiscard]] double length(const VectorXd& step, const VectorXd& x) const {
+    const std::vector<double> sizes = sizes_on_way(x);
     double sum = 0;
-    for (std::size_t i = 0; i < sizes_.size(); ++i) {
-      const double part = step[static_cast<Eigen::Index>(i)] / sizes_[i];
+    for (std::size_t i = 0; i < sizes.size(); ++i) {
+      const double part = step[index(i)] / sizes[i];
       sum += part * part;
     }
     return std::sqrt(sum);
@@ -201,7 +191,7 @@ class NewtonSearch {
       const auto inverse = inverse_stiffness(x);
       if (!g || !inverse) return std::nullopt;
       const VectorXd step = -(*inverse * *g);
-      last = length(step);
+      last = length(step, x);
       if (!(last > settled)) return x;
       const auto next = damped(x, step, *inverse);
       if (!next) break;
@@ -215,7 +205,7 @@ class NewtonSearch {
     for (double t = 1; t > least_damping; t /= 2) {
       const VectorXd next = x + t * step;
       const auto g = forces(next);
-      if (g && length(inverse * *g) <= (1 - t / 4) * length(step)) return next;
+      if (g && length(inverse * *g, x) <= (1 - t / 4) * length(step, x)) return next;
     }
     return std::nullopt;
   }
@@ -321,7 +311,7 @@ class NewtonSearch {
   std::optional<Equilibrium> enclosure(const VectorXd& start) {
     const auto inverse = inverse_stiffness(start);
     if (!inverse) return std::nullopt;
-    const NearlyEquilibrium near{start, *inverse, free_, sizes_};
+    const NearlyEquilibrium near{start, *inverse, free_, sizes_on_way(start)};
     const auto found = enclosed_equilibrium(statics_, enclosed_constants_, near);
     if (!found || found->isolated) return found;
     return as_written(with_family(statics_, enclosed_constants_, near, guess_, *found));
