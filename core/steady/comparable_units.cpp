@@ -34,22 +34,44 @@ VectorXd comparable_units(const MatrixXd& stiffness, const MatrixXd& inertia) {
   return (units.array() > 0).select(units, 1);
 }
 
-VectorXd sizes_at(const PlaceWithForces& place, const std::vector<bool>& is_angle) {
+namespace {
+
+/// How far each force would have to go to change by all it is, by the stiffness here and where that leads:
+/// here alone it may be next to none.
+VectorXd reach_of_forces(const PlaceWithForces& place, const VectorXd& units) {
+  const VectorXd forces = units.cwiseProduct(place.forces);
+  const auto by = [&](const VectorXd& stiffest) -> VectorXd {
+    return (stiffest.array() > 0).select(units.cwiseProduct(forces.cwiseAbs().cwiseQuotient(stiffest)), 0);
+  };
+  const auto stiffest = [&](const MatrixXd& k) -> VectorXd {
+    return (units.asDiagonal() * k * units.asDiagonal()).rowwise().norm();
+  };
+  const VectorXd here = stiffest(place.stiffness), reach = by(here);
+  const auto there = place.stiffness_at(place.x - reach.cwiseProduct(forces.cwiseSign()));
+  return there && there->allFinite() ? by(here.cwiseMax(stiffest(*there))) : reach;
+}
+
+}  // namespace
+
+VectorXd sizes_at(const PlaceWithForces& place, const std::vector<std::string>& scene_units) {
   const VectorXd units = comparable_units(place.stiffness, place.inertia);
   const Eigen::Index n = units.size();
+  const auto unit = [&](Eigen::Index i) { return scene_units[static_cast<std::size_t>(i)]; };
+  const auto has_inertia = [&](Eigen::Index i) { return place.inertia(i, i) > 0; };
   VectorXd sizes = place.x.cwiseAbs();
   for (Eigen::Index i = 0; i < n; ++i)
-    if (is_angle[static_cast<std::size_t>(i)]) sizes[i] = 1;
-  double largest = 0;
-  for (Eigen::Index i = 0; i < n; ++i)
-    if (place.inertia(i, i) > 0) largest = std::max(largest, sizes[i] / units[i]);
-  if (largest == 0) {
-    const MatrixXd scaled = units.asDiagonal() * place.stiffness * units.asDiagonal();
-    largest = units.cwiseProduct(place.forces).norm() / scaled.norm();
-  }
+    if (unit(i) == "rad") sizes[i] = 1;
+  VectorXd known = (place.inertia.diagonal().array() > 0).select(sizes, 0);
+  if (known.isZero(0)) known = reach_of_forces(place, units);
   for (Eigen::Index i = 0; i < n; ++i) {
     if (sizes[i] != 0) continue;
-    sizes[i] = units[i] * largest;
+    double by_inertia = 0, by_unit = 0;
+    for (Eigen::Index j = 0; j < n; ++j) {
+      if (!has_inertia(j)) continue;
+      by_inertia = std::max(by_inertia, units[i] * known[j] / units[j]);
+      if (has_inertia(i) && unit(j) == unit(i)) by_unit = std::max(by_unit, known[j]);
+    }
+    sizes[i] = by_unit > 0 ? std::min(by_unit, by_inertia) : by_inertia;
     if (!(sizes[i] > 0) || !std::isfinite(sizes[i])) sizes[i] = 1;
   }
   return sizes;

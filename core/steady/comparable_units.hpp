@@ -4,6 +4,9 @@
 // squares of rates, and the v of one size.
 
 #include <Eigen/Core>
+#include <functional>
+#include <optional>
+#include <string>
 #include <vector>
 
 namespace qdot {
@@ -12,6 +15,7 @@ namespace qdot {
 struct PlaceWithForces {
   Eigen::VectorXd x, forces;
   Eigen::MatrixXd stiffness, inertia;
+  std::function<std::optional<Eigen::MatrixXd>(const Eigen::VectorXd& x)> stiffness_at;
 };
 
 /// s. What has no inertia, as a multiplier, is measured by what it does to the others: the largest entry in
@@ -20,8 +24,10 @@ struct PlaceWithForces {
                                                const Eigen::MatrixXd& inertia);
 
 /// What displacements from x count as large: 1 for angles, |x_i| for other coordinates where that is not 0,
-/// and where it is, as large as the others in displacements v, or if they are all 0, |g| / |K|: as far as
-/// the forces would have to go to change by all they are. 1 where there are none.
-[[nodiscard]] Eigen::VectorXd sizes_at(const PlaceWithForces& place, const std::vector<bool>& is_angle);
+/// and where it is, the largest of the others in displacements v, though not more than the largest in the
+/// same unit; if all are 0, as far as the forces would have to go to change by all they are. 1 where there
+/// are none.
+[[nodiscard]] Eigen::VectorXd sizes_at(const PlaceWithForces& place,
+                                       const std::vector<std::string>& scene_units);
 
 }  // namespace qdot

@@ -149,7 +149,11 @@ class NewtonSearch {
     const auto k = stiffness(guess_);
     const auto m = values(statics_.inertia, inertia_, guess_);
     if (!g || !k || !m) return;
-    const VectorXd sizes = sizes_at({guess_, *g, *k, *m}, angle_);
+    std::vector<std::string> units;
+    for (const std::size_t i : statics_.reduction.kept)
+      units.push_back(dynamics_.model().scene.coordinates[i].unit);
+    const VectorXd sizes =
+        sizes_at({guess_, *g, *k, *m, [&](const VectorXd& x) { return stiffness(x); }}, units);
     sizes_.assign(sizes.begin(), sizes.end());
   }
 

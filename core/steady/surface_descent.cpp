@@ -68,11 +68,15 @@ class Descent {
     const auto matrix = [&](const std::vector<double>& rows) {
       return MatrixXd(Eigen::Map<const MatrixXd>(rows.data(), n_ + m_, n_ + m_).transpose());
     };
-    std::vector<bool> is_angle;
+    std::vector<std::string> units;
     for (const std::size_t i : whole_.statics->reduction.kept)
-      is_angle.push_back(whole_.dynamics->model().scene.coordinates[i].unit == "rad");
+      units.push_back(whole_.dynamics->model().scene.coordinates[i].unit);
     const VectorXd forces = Eigen::Map<const VectorXd>(g.data(), n_ + m_);
-    return sizes_at({start, forces, matrix(k), matrix(m)}, is_angle).head(n_);
+    const auto stiffness_at = [&](const VectorXd& x) -> std::optional<MatrixXd> {
+      const std::vector<double> there = values(whole_.statics->stiffness, slopes_, x.head(n_), x.tail(m_));
+      return there.empty() ? std::nullopt : std::optional(matrix(there));
+    };
+    return sizes_at({start, forces, matrix(k), matrix(m), stiffness_at}, units).head(n_);
   }
 
   [[nodiscard]] std::vector<double> place() const {

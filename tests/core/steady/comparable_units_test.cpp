@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <string>
 #include <vector>
 
 namespace qdot {
@@ -13,18 +14,20 @@ using Eigen::VectorXd;
 /// A pendulum in its place x, y with the multiplier of x^2 + y^2 - l^2, m = 2 kg, l = 0.1 m, g = 10 m/s^2,
 /// pushed aside by 1 N.
 PlaceWithForces pendulum() {
-  PlaceWithForces place{VectorXd(3), VectorXd(3), MatrixXd::Zero(3, 3), MatrixXd::Zero(3, 3)};
+  PlaceWithForces place{VectorXd(3), VectorXd(3), MatrixXd::Zero(3, 3), MatrixXd::Zero(3, 3), {}};
   place.x << 0, -0.1, -100;
   place.forces << -1, 0, 0;
   place.stiffness << 200, 0, 0, 0, 200, 0.2, 0, 0.2, 0;
   place.inertia.diagonal() << 2, 2, 0;
+  place.stiffness_at = [](const VectorXd&) { return std::nullopt; };
   return place;
 }
 
 /// The same with each coordinate in another unit: x_i = units_i x_i'.
 PlaceWithForces in(const VectorXd& units, const PlaceWithForces& place) {
   const auto u = units.asDiagonal();
-  return {place.x.cwiseQuotient(units), u * place.forces, u * place.stiffness * u, u * place.inertia * u};
+  return {place.x.cwiseQuotient(units), u * place.forces, u * place.stiffness * u, u * place.inertia * u,
+          place.stiffness_at};
 }
 
 TEST(ComparableUnits, AMultiplierIsMeasuredByWhatItDoes) {
@@ -39,7 +42,7 @@ TEST(ComparableUnits, StiffnessAndSizesAreTheSameInAnyUnits) {
   for (const double z : {0.0, -0.1}) {
     PlaceWithForces place = pendulum();
     place.x[1] = z;
-    const std::vector<bool> no_angles(3);
+    const std::vector<std::string> no_angles(3);
     const VectorXd units = comparable_units(place.stiffness, place.inertia),
                    sizes = sizes_at(place, no_angles);
     const MatrixXd scaled = units.asDiagonal() * place.stiffness * units.asDiagonal();
@@ -58,16 +61,16 @@ TEST(ComparableUnits, StiffnessAndSizesAreTheSameInAnyUnits) {
 
 TEST(ComparableUnits, WhereAllIsZeroTheForcesSayWhatIsLarge) {
   PlaceWithForces place = pendulum();
-  EXPECT_DOUBLE_EQ(sizes_at(place, {false, false, false})[0], 0.1);
+  EXPECT_DOUBLE_EQ(sizes_at(place, {"m", "m", "N/m"})[0], 0.1);
   place.x.setZero();
-  const double farthest = 1 / place.stiffness(0, 0);
-  const VectorXd sizes = sizes_at(place, {false, false, false});
-  EXPECT_LE(sizes[0], farthest);
-  EXPECT_GT(sizes[0], farthest / 4);
-  EXPECT_DOUBLE_EQ(sizes[1], sizes[0]);
+  const double reach = 1 / place.stiffness(0, 0);
+  EXPECT_DOUBLE_EQ(sizes_at(place, {"m", "m", "N/m"})[0], reach);
+  EXPECT_DOUBLE_EQ(sizes_at(place, {"m", "m", "N/m"})[1], reach);
+  place.stiffness_at = [k = place.stiffness](const VectorXd&) { return 4 * k; };
+  EXPECT_DOUBLE_EQ(sizes_at(place, {"m", "m", "N/m"})[0], reach / 4);
   place.forces.setZero();
-  EXPECT_EQ(sizes_at(place, {false, false, false}), VectorXd::Ones(3));
-  EXPECT_EQ(sizes_at(place, {true, false, false})[0], 1);
+  EXPECT_EQ(sizes_at(place, {"m", "m", "N/m"}), VectorXd::Ones(3));
+  EXPECT_EQ(sizes_at(place, {"rad", "m", "N/m"})[0], 1);
 }
 
 }  // namespace
