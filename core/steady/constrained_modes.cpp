@@ -21,6 +21,9 @@ namespace {
 constexpr const char* no_stiffness =
     "Along a neutral mode the stiffness is zero to within its error: higher terms of the potential decide.";
 
+/// Newton's iteration from where a way down has ended goes no farther, in parts of the sizes or of the way.
+constexpr double next_to_low = 1e-3;
+
 constexpr const char* no_drive = "Every place is an equilibrium: nothing drives the system back or away.";
 
 class SurfaceAnalysis {
@@ -220,11 +223,11 @@ std::optional<Modes> modes_downhill(const SurfaceStatics& whole, const std::vect
   const auto low = lowest_downhill(whole, numbers, start);
   if (!low) return std::nullopt;
   try {
-    Modes found = SurfaceAnalysis(whole, constants, y).near(*low).modes;
+    Modes found = SurfaceAnalysis(whole, constants, y).near(low->x).modes;
     for (std::size_t k = 0; k < whole.coordinates; ++k) {
       const double there = found.y[whole.statics->reduction.kept[k]];
-      const double size = std::max({1.0, std::abs(start[k]), std::abs((*low)[k])});
-      if (!(std::abs(there - (*low)[k]) < 1e-3 * size)) return std::nullopt;
+      const double size = std::max(low->sizes[k], std::abs(low->x[k] - start[k]));
+      if (!(std::abs(there - low->x[k]) < next_to_low * size)) return std::nullopt;
     }
     found.arrival = Arrival::downhill;
     return found;

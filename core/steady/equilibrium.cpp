@@ -9,6 +9,7 @@
 #include "core/compile/tape_evaluator.hpp"
 #include "core/numerics/constants.hpp"
 #include "core/numerics/dense_matrix.hpp"
+#include "core/steady/comparable_units.hpp"
 #include "core/steady/equilibrium_family.hpp"
 #include "core/steady/gradient_flow.hpp"
 #include "core/steady/model_conditions.hpp"
@@ -70,6 +71,7 @@ class NewtonSearch {
       free_.push_back(!depends_on_any(statics.reduction.x[i]));
       sizes_.push_back(angle_.back() || guess[i] == 0 ? 1 : std::abs(guess[i]));
     }
+    measure();
   }
 
   Equilibrium nearest() {
@@ -87,8 +89,8 @@ class NewtonSearch {
     const std::optional<VectorXd> low = is_at_rest(guess_) ? guess_ : descended();
     if (!low) return std::nullopt;
     const bool is_seen_only = only && *low != guess_;
-    auto found =
-        valid_one(from(*low, [&](const VectorXd& x) { return length(x - *low) < near_by && in_domain(x); }));
+    auto found = valid_one(
+        from(*low, [&](const VectorXd& x) { return length(x - *low, *low) < near_by && in_domain(x); }));
     if (!found) return std::nullopt;
     return FoundEquilibrium{*std::move(found), is_seen_only ? Arrival::seen_downhill : Arrival::downhill};
   }
@@ -129,23 +131,46 @@ class NewtonSearch {
   }
   std::optional<MatrixXd> stiffness(const VectorXd& x) { return values(statics_.stiffness, stiffness_, x); }
 
-  /// The least x with K x = g, lengths and angles made comparable by the inertia.
+  /// The least x with K x = g, coordinates made comparable by comparable_units.
   std::optional<MatrixXd> inverse_stiffness(const VectorXd& x) {
     const auto k = stiffness(x);
     const auto m = values(statics_.inertia, inertia_, x);
     if (!k || !m) return std::nullopt;
-    VectorXd scale(x.size());
-    for (Eigen::Index i = 0; i < x.size(); ++i) scale[i] = (*m)(i, i) > 0 ? 1 / std::sqrt((*m)(i, i)) : 1;
+    const VectorXd scale = comparable_units(*k, *m);
     const MatrixXd scaled = scale.asDiagonal() * *k * scale.asDiagonal();
     if (!scaled.allFinite()) return std::nullopt;
     return scale.asDiagonal() * pseudo_inverse(scaled, none_below_) * scale.asDiagonal();
   }
 
-  /// A step's length in units of what each coordinate is.
-  [[nodiscard]] double length(const VectorXd& step) const {
+  /// Where no force is seen it would be rounding that measures.
+  void measure() {
+    if (is_at_rest(guess_)) return;
+    const auto g = forces(guess_);
+    const auto k = stiffness(guess_);
+    const auto m = values(statics_.inertia, inertia_, guess_);
+    if (!g || !k || !m) return;
+    std::vector<std::string> units;
+    for (const std::size_t i : statics_.reduction.kept)
+      units.push_back(dynamics_.model().scene.coordinates[i].unit);
+    const VectorXd sizes =
+        sizes_at({guess_, *g, *k, *m, [&](const VectorXd& x) { return stiffness(x); }}, units);
+    sizes_.assign(sizes.begin(), sizes.end());
+  }
+
+  /// In each coordinate the guess's size, or the way from there to x.
+  [[nodiscard]] std::vector<double> sizes_on_way(const VectorXd& x) const {
+    std::vector<double> sizes = sizes_;
+    for (std::size_t i = 0; i < sizes.size(); ++i)
+      sizes[i] = std::max(sizes[i], std::abs(x[index(i)] - guess_[index(i)]));
+    return sizes;
+  }
+
+  /// A step's length in units of what each coordinate is at x.
+  [[nodiscard]] double length(const VectorXd& step, const VectorXd& x) const {
+    const std::vector<double> sizes = sizes_on_way(x);
     double sum = 0;
-    for (std::size_t i = 0; i < sizes_.size(); ++i) {
-      const double part = step[static_cast<Eigen::Index>(i)] / sizes_[i];
+    for (std::size_t i = 0; i < sizes.size(); ++i) {
+      const double part = step[index(i)] / sizes[i];
       sum += part * part;
     }
     return std::sqrt(sum);
@@ -170,7 +195,7 @@ class NewtonSearch {
       const auto inverse = inverse_stiffness(x);
       if (!g || !inverse) return std::nullopt;
       const VectorXd step = -(*inverse * *g);
-      last = length(step);
+      last = length(step, x);
       if (!(last > settled)) return x;
       const auto next = damped(x, step, *inverse);
       if (!next) break;
@@ -184,7 +209,7 @@ class NewtonSearch {
     for (double t = 1; t > least_damping; t /= 2) {
       const VectorXd next = x + t * step;
       const auto g = forces(next);
-      if (g && length(inverse * *g) <= (1 - t / 4) * length(step)) return next;
+      if (g && length(inverse * *g, x) <= (1 - t / 4) * length(step, x)) return next;
     }
     return std::nullopt;
   }
@@ -290,7 +315,7 @@ class NewtonSearch {
   std::optional<Equilibrium> enclosure(const VectorXd& start) {
     const auto inverse = inverse_stiffness(start);
     if (!inverse) return std::nullopt;
-    const NearlyEquilibrium near{start, *inverse, free_, sizes_};
+    const NearlyEquilibrium near{start, *inverse, free_, sizes_on_way(start)};
     const auto found = enclosed_equilibrium(statics_, enclosed_constants_, near);
     if (!found || found->isolated) return found;
     return as_written(with_family(statics_, enclosed_constants_, near, guess_, *found));

@@ -16,7 +16,7 @@ constexpr int most_flow_steps = 600;
 constexpr double gradient_tolerance = 1e-3, other_tolerance = 0.05;
 /// Of the way so far, or of a coordinate's size.
 constexpr double longest_part = 0.25;
-/// In units of the sizes: what is left of the way, and where rounding ends it.
+/// Of the way so far, or of a coordinate's size: what is left, and where rounding ends it.
 constexpr double flow_arrived = 1e-6, nearly_arrived = 1e-4;
 /// A way that is so long, in units of the sizes or 1, leads to no end, and one so steep, in units of the rate
 /// at its start, into a pole.
@@ -49,7 +49,8 @@ Phi phi(double z) {
 
 class Flow {
  public:
-  Flow(const Hillside& hillside, const VectorXd& start) : hillside_(hillside), start_(start), x_(start) {}
+  Flow(const Hillside& hillside, const VectorXd& start)
+      : hillside_(hillside), start_(start), x_(start), farthest_(hillside.sizes) {}
 
   std::optional<VectorXd> lowest() {
     for (int i = 0; i < most_flow_steps; ++i) {
@@ -90,7 +91,7 @@ class Flow {
       if (!(slope_.curvature[i] > 0)) return std::numeric_limits<double>::infinity();
       s[i] = slope_.force[i] / slope_.curvature[i];
     }
-    return largest_part(slope_.axes * s, hillside_.sizes);
+    return largest_part(slope_.axes * s, farthest_);
   }
 
   [[nodiscard]] VectorXd along_tangent(double h) const {
@@ -124,11 +125,7 @@ class Flow {
   [[nodiscard]] bool is_short(const VectorXd& s) const {
     const VectorXd dx = slope_.axes * s;
     if (!dx.allFinite()) return false;
-    for (Eigen::Index i = 0; i < dx.size(); ++i) {
-      const double way = std::max(hillside_.sizes[i], std::abs(x_[i] - start_[i]));
-      if (std::abs(dx[i]) > longest_part * way) return false;
-    }
-    return true;
+    return largest_part(dx, farthest_) <= longest_part;
   }
 
   /// Of the step in the time h: its estimated error, in parts of what is allowed; where it is below 1, x is
@@ -149,6 +146,7 @@ class Flow {
     const auto next = hillside_.moved(x_, slope_, s + straight + curved);
     if (!next) return too_much;
     x_ = next->x;
+    farthest_ = farthest_.cwiseMax((x_ - start_).cwiseAbs());
     return parts;
   }
 
@@ -177,6 +175,7 @@ class Flow {
 
   const Hillside& hillside_;
   VectorXd start_, x_;
+  VectorXd farthest_;  ///< way from the start so far, or the size
   Slope slope_;
   double rounding_{};  ///< of a force
   double first_rate_{}, time_{};

@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "core/numerics/dense_matrix.hpp"
+#include "core/steady/comparable_units.hpp"
 #include "core/steady/gradient_flow.hpp"
 
 namespace qdot {
@@ -29,25 +30,26 @@ class Descent {
         slopes_(whole.statics->stiffness.bind(constants)),
         inertia_(whole.statics->inertia.bind(constants)),
         q_(Eigen::Map<const VectorXd>(start.data(), n_)),
-        sizes_(sizes()) {}
+        sizes_(sizes(Eigen::Map<const VectorXd>(start.data(), n_ + m_))) {}
 
-  std::optional<std::vector<double>> lowest() {
+  std::optional<LowestPlace> lowest() {
     if (!back_on_surface()) return std::nullopt;
     const Hillside hillside{
         [this](const VectorXd& q) { return slope(q); },
         [this](const VectorXd& q, const Slope& at, const VectorXd& s) { return moved(q, at, s); }, sizes_};
     const auto low = end_of_flow(hillside, VectorXd(q_));
     if (!low || !slope(*low)) return std::nullopt;  // which writes the multipliers there
-    return place();
+    return LowestPlace{place(), {sizes_.begin(), sizes_.end()}};
   }
 
  private:
-  /// An angle is measured by 1, anything else by the largest start of its unit.
-  [[nodiscard]] VectorXd sizes() const {
+  /// An angle is measured by 1, anything else by the largest start of its unit, or if all are 0 by
+  /// sizes_at.
+  [[nodiscard]] VectorXd sizes(const VectorXd& start) {
     const auto& coordinates = whole_.dynamics->model().scene.coordinates;
     const auto& kept = whole_.statics->reduction.kept;
     const auto unit = [&](Eigen::Index i) { return coordinates[kept[static_cast<std::size_t>(i)]].unit; };
-    VectorXd result = VectorXd::Ones(n_);
+    VectorXd result = sizes_where_zero(start);
     for (Eigen::Index i = 0; i < n_; ++i) {
       double largest = 0;
       for (Eigen::Index k = 0; k < n_; ++k)
@@ -55,6 +57,26 @@ class Descent {
       if (unit(i) != "rad" && largest > 0) result[i] = largest;
     }
     return result;
+  }
+
+  [[nodiscard]] VectorXd sizes_where_zero(const VectorXd& start) {
+    const VectorXd q = start.head(n_), multipliers = start.tail(m_);
+    const std::vector<double> g = values(whole_.statics->forces, forces_, q, multipliers);
+    const std::vector<double> k = values(whole_.statics->stiffness, slopes_, q, multipliers);
+    const std::vector<double> m = values(whole_.statics->inertia, inertia_, q, multipliers);
+    if (g.empty() || k.empty() || m.empty()) return VectorXd::Ones(n_);
+    const auto matrix = [&](const std::vector<double>& rows) {
+      return MatrixXd(Eigen::Map<const MatrixXd>(rows.data(), n_ + m_, n_ + m_).transpose());
+    };
+    std::vector<std::string> units;
+    for (const std::size_t i : whole_.statics->reduction.kept)
+      units.push_back(whole_.dynamics->model().scene.coordinates[i].unit);
+    const VectorXd forces = Eigen::Map<const VectorXd>(g.data(), n_ + m_);
+    const auto stiffness_at = [&](const VectorXd& x) -> std::optional<MatrixXd> {
+      const std::vector<double> there = values(whole_.statics->stiffness, slopes_, x.head(n_), x.tail(m_));
+      return there.empty() ? std::nullopt : std::optional(matrix(there));
+    };
+    return sizes_at({start, forces, matrix(k), matrix(m), stiffness_at}, units).head(n_);
   }
 
   [[nodiscard]] std::vector<double> place() const {
@@ -99,9 +121,16 @@ class Descent {
     return k ? std::optional<MatrixXd>(-k->bottomLeftCorner(m_, n_)) : std::nullopt;
   }
 
+  /// A^+, its rows measured by what they are themselves: each constraint has a unit of its own.
+  [[nodiscard]] static MatrixXd inverse_of_slopes(const MatrixXd& a) {
+    const VectorXd sizes = a.rowwise().norm();
+    const VectorXd units = (sizes.array() > 0).select(sizes.cwiseInverse(), 1);
+    return pseudo_inverse(units.asDiagonal() * a) * units.asDiagonal();
+  }
+
   /// A displacement dq = A^+ A dq + (what the constraints allow), in units of the sizes.
   [[nodiscard]] MatrixXd allowed(const MatrixXd& a) const {
-    return MatrixXd::Identity(n_, n_) - pseudo_inverse(a) * a;
+    return MatrixXd::Identity(n_, n_) - inverse_of_slopes(a) * a;
   }
 
   /// Independent displacements that the constraints allow; the others have the value 0.
@@ -127,7 +156,7 @@ class Descent {
     const auto m = inertia();
     if (!g || !a || !m) return std::nullopt;
     const VectorXd force = sizes_.cwiseProduct(g->head(n_));
-    multipliers_ = pseudo_inverse(*a).transpose() * force;
+    multipliers_ = inverse_of_slopes(*a).transpose() * force;
     if (!multipliers_.allFinite()) return std::nullopt;
     const auto k = stiffness(multipliers_);
     const auto z = tangents(*a);
@@ -170,7 +199,7 @@ class Descent {
       const auto g = forces(q_);
       const auto a = slopes();
       if (!g || !a) return false;
-      const VectorXd step = pseudo_inverse(*a) * g->tail(m_);
+      const VectorXd step = inverse_of_slopes(*a) * g->tail(m_);
       q_ -= sizes_.cwiseProduct(step);
       if (step.norm() < 1e-9) return true;
     }
@@ -185,9 +214,8 @@ class Descent {
 
 }  // namespace
 
-std::optional<std::vector<double>> lowest_downhill(const SurfaceStatics& whole,
-                                                   std::span<const double> constants,
-                                                   std::span<const double> start) {
+std::optional<LowestPlace> lowest_downhill(const SurfaceStatics& whole, std::span<const double> constants,
+                                           std::span<const double> start) {
   return Descent(whole, constants, start).lowest();
 }
 

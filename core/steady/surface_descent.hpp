@@ -10,10 +10,15 @@
 
 namespace qdot {
 
-/// The place x = (q, lambda) in which that ends; `start` itself, brought onto the surface, where no force
-/// acts along it. No value where no end is reached. `constants` are the reduction's.
-[[nodiscard]] std::optional<std::vector<double>> lowest_downhill(const SurfaceStatics& whole,
-                                                                 std::span<const double> constants,
-                                                                 std::span<const double> start);
+struct LowestPlace {
+  std::vector<double> x;      ///< (q, lambda)
+  std::vector<double> sizes;  ///< of each q: what displacements count as large, by the start
+};
+
+/// The place in which that ends; `start` = (q, lambda) itself, brought onto the surface, where no force acts
+/// along it. No value where no end is reached. `constants` are the reduction's.
+[[nodiscard]] std::optional<LowestPlace> lowest_downhill(const SurfaceStatics& whole,
+                                                         std::span<const double> constants,
+                                                         std::span<const double> start);
 
 }  // namespace qdot
