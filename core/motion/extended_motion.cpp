@@ -1,8 +1,10 @@
 #include "core/motion/extended_motion.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <memory>
+#include <optional>
 
 #include "core/compile/extended/expansion.hpp"
 
@@ -18,6 +20,9 @@ constexpr unsigned order_of_mixed = TaylorExpansion::highest_order;
 constexpr unsigned lower_order_of_mixed = 24;
 constexpr double round_off_of_full = 1e-32;
 constexpr unsigned order_beside_full = 24;  ///< of the series in doubles that tell what a step in full hides
+/// Of coefficients: doubles end at 2^1024, and their products, whole, at 2^-960.
+constexpr int range_of_exponents = 830, exponent_at_start = 400;
+constexpr double most_of_exponents = 400;  ///< of a unit of time, whose square is in the equations
 
 std::vector<double> rounded(std::span<const DoubleDouble> numbers) {
   std::vector<double> result;
@@ -80,25 +85,48 @@ decltype(ExtendedSystem::hidden) hidden_of(const std::shared_ptr<MixedExpansion>
                      std::span<double> defect) { return expansion->bound_defect(t, y, h, allowed, defect); };
 }
 
-}  // namespace
-
-std::vector<DoubleDouble> double_doubles(const Reals& numbers) {
-  std::vector<DoubleDouble> result;
-  for (std::size_t i = 0; i < numbers.size(); ++i) result.push_back(numbers.exact(i).double_double());
-  return result;
+double tolerance_of(const ExtendedMotionRequest& request) {
+  if (request.rtol > 0) return request.rtol;
+  return request.form == Form::full ? round_off_of_full : round_off_of_mixed;
 }
 
-ExtendedMotionRequest extended_request(const Reals& parameters, const Reals& y_start, double t_start,
-                                       std::span<const double> grid) {
-  ExtendedMotionRequest result;
-  result.parameters = double_doubles(parameters);
-  result.y_start = double_doubles(y_start);
-  result.t_start = t_start;
-  result.grid.assign(grid.begin(), grid.end());
-  return result;
+unsigned order_of(const ExtendedMotionRequest& request) {
+  if (request.taylor_order > 0) return request.taylor_order;
+  return request.form == Form::full ? extended_order(tolerance_of(request), ExtendedExpansion::highest_order)
+                                    : order_of_mixed;
 }
 
-ExtendedSystem extended_system(const CompiledFunction& accelerations, const ExtendedMotionRequest& request) {
+/// log2 of what the later one of two coefficients, far apart and both in range, grew by from order to order.
+std::optional<double> growth(std::span<const DoubleDouble> series) {
+  const auto is_usable = [&](std::size_t k) {
+    const DoubleDouble& c = series[k];
+    return c.high != 0 && is_finite(c) && std::abs(std::ilogb(c.high)) <= range_of_exponents;
+  };
+  std::size_t later = series.size() - 1;
+  while (later > 0 && !is_usable(later)) --later;
+  std::size_t earlier = later / 2;
+  while (earlier > 0 && !is_usable(earlier)) --earlier;
+  if (later == 0 || !is_usable(earlier)) return std::nullopt;
+  const int rise = std::ilogb(series[later].high) - std::ilogb(series[earlier].high);
+  return rise / static_cast<double>(later - earlier);
+}
+
+/// So that coefficients at the start are in range, with room for a motion that becomes faster or slower. Of
+/// most motions they are, in seconds.
+double unit_of_time_for(const ExtendedSystem& system, const ExtendedMotionRequest& request) {
+  const unsigned order = order_of(request);
+  std::vector<DoubleDouble> c(system.dimension * (order + 1));
+  if (system.expansion(request.t_start, request.y_start, order, c) != Evaluation::ok) return 1;
+  double fastest = 0;
+  for (std::size_t i = 0; i < system.dimension; ++i)
+    fastest = std::max(fastest, growth(std::span(c).subspan(i * (order + 1), order + 1)).value_or(0));
+  const unsigned highest = std::max(order, system.order_of_hidden);
+  if (fastest * highest <= range_of_exponents) return 1;
+  const double room = static_cast<double>(exponent_at_start) / highest;
+  return std::ldexp(1.0, -static_cast<int>(std::min(fastest - room, most_of_exponents)));
+}
+
+ExtendedSystem system_of(const CompiledFunction& accelerations, const ExtendedMotionRequest& request) {
   ExtendedSystem system;
   system.dimension = request.y_start.size();
   const auto use = [&system](auto expansion) {
@@ -125,20 +153,47 @@ ExtendedSystem extended_system(const CompiledFunction& accelerations, const Exte
   return system;
 }
 
+}  // namespace
+
+std::vector<DoubleDouble> double_doubles(const Reals& numbers) {
+  std::vector<DoubleDouble> result;
+  for (std::size_t i = 0; i < numbers.size(); ++i) result.push_back(numbers.exact(i).double_double());
+  return result;
+}
+
+ExtendedMotionRequest extended_request(const Reals& parameters, const Reals& y_start, double t_start,
+                                       std::span<const double> grid) {
+  ExtendedMotionRequest result;
+  result.parameters = double_doubles(parameters);
+  result.y_start = double_doubles(y_start);
+  result.t_start = t_start;
+  result.grid.assign(grid.begin(), grid.end());
+  return result;
+}
+
+ExtendedSystem extended_system(const CompiledFunction& accelerations, const ExtendedMotionRequest& request) {
+  ExtendedSystem in_seconds = system_of(accelerations, request);
+  const double unit = unit_of_time_for(in_seconds, request);
+  if (unit == 1) return in_seconds;
+  const auto by_clock = std::make_shared<const CompiledFunction>(accelerations.in_unit_of_time(unit));
+  ExtendedSystem system = system_of(*by_clock, request);
+  system.unit_of_time = unit;
+  system.kept = by_clock;
+  return system;
+}
+
 ExtendedRun extended_states(const Dynamics& dynamics, const ExtendedMotionRequest& request) {
   return extended_states(extended_system(dynamics.accelerations(), request), request);
 }
 
 ExtendedRun extended_states(const ExtendedSystem& system, const ExtendedMotionRequest& request) {
-  const bool is_full = request.form == Form::full;
-  const double rtol = request.rtol > 0 ? request.rtol : is_full ? round_off_of_full : round_off_of_mixed;
-  const unsigned order = is_full ? extended_order(rtol, ExtendedExpansion::highest_order) : order_of_mixed;
+  const double rtol = tolerance_of(request);
   const ExtendedRunRequest run{.t_start = request.t_start,
                                .y_start = request.y_start,
                                .apart = request.apart,
                                .t_end = request.grid.empty() ? request.t_start : request.grid.back(),
-                               .order = request.taylor_order > 0 ? request.taylor_order : order,
-                               .lower_order = is_full ? 0 : lower_order_of_mixed,
+                               .order = order_of(request),
+                               .lower_order = request.form == Form::full ? 0 : lower_order_of_mixed,
                                .tolerances = {rtol, rtol * request.atol_over_rtol},
                                .limits = request.limits};
   return integrate(system, run, request.grid);
