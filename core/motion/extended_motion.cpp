@@ -4,7 +4,6 @@
 #include <cmath>
 #include <limits>
 #include <memory>
-#include <optional>
 
 #include "core/compile/extended/expansion.hpp"
 
@@ -20,7 +19,7 @@ constexpr unsigned order_of_mixed = TaylorExpansion::highest_order;
 constexpr unsigned lower_order_of_mixed = 24;
 constexpr double round_off_of_full = 1e-32;
 constexpr unsigned order_beside_full = 24;  ///< of the series in doubles that tell what a step in full hides
-/// Of coefficients: doubles end at 2^1024, and their products, whole, at 2^-960.
+/// Of coefficients: next to where doubles end, and where there is room on both sides.
 constexpr int range_of_exponents = 830, exponent_at_start = 400;
 constexpr double most_of_exponents = 400;  ///< of a unit of time, whose square is in the equations
 
@@ -96,34 +95,35 @@ unsigned order_of(const ExtendedMotionRequest& request) {
                                     : order_of_mixed;
 }
 
-/// log2 of what the later one of two coefficients, far apart and both in range, grew by from order to order.
-std::optional<double> growth(std::span<const DoubleDouble> series) {
-  const auto is_usable = [&](std::size_t k) {
-    const DoubleDouble& c = series[k];
-    return c.high != 0 && is_finite(c) && std::abs(std::ilogb(c.high)) <= range_of_exponents;
-  };
+bool is_in_range(const DoubleDouble& c) {
+  return is_finite(c) && (c.high == 0 || std::ilogb(c.high) <= range_of_exponents);
+}
+
+/// log2 of what coefficients grow by from order to order, by two in range that are far apart; 0 where there
+/// are none.
+double growth(std::span<const DoubleDouble> series) {
+  const auto is_usable = [&](std::size_t k) { return series[k].high != 0 && is_in_range(series[k]); };
   std::size_t later = series.size() - 1;
   while (later > 0 && !is_usable(later)) --later;
   std::size_t earlier = later / 2;
   while (earlier > 0 && !is_usable(earlier)) --earlier;
-  if (later == 0 || !is_usable(earlier)) return std::nullopt;
+  if (later == 0 || !is_usable(earlier)) return 0;
   const int rise = std::ilogb(series[later].high) - std::ilogb(series[earlier].high);
   return rise / static_cast<double>(later - earlier);
 }
 
-/// So that coefficients at the start are in range, with room for a motion that becomes faster or slower. Of
-/// most motions they are, in seconds.
+/// A second, where coefficients at the start are in range by it, as those of most motions are; otherwise one
+/// by which they are, with room for a motion that becomes faster or slower.
 double unit_of_time_for(const ExtendedSystem& system, const ExtendedMotionRequest& request) {
-  const unsigned order = order_of(request);
+  const unsigned order = std::max(order_of(request), system.order_of_hidden);
   std::vector<DoubleDouble> c(system.dimension * (order + 1));
   if (system.expansion(request.t_start, request.y_start, order, c) != Evaluation::ok) return 1;
+  if (std::ranges::all_of(c, is_in_range)) return 1;
   double fastest = 0;
   for (std::size_t i = 0; i < system.dimension; ++i)
-    fastest = std::max(fastest, growth(std::span(c).subspan(i * (order + 1), order + 1)).value_or(0));
-  const unsigned highest = std::max(order, system.order_of_hidden);
-  if (fastest * highest <= range_of_exponents) return 1;
-  const double room = static_cast<double>(exponent_at_start) / highest;
-  return std::ldexp(1.0, -static_cast<int>(std::min(fastest - room, most_of_exponents)));
+    fastest = std::max(fastest, growth(std::span(c).subspan(i * (order + 1), order + 1)));
+  const double room = static_cast<double>(exponent_at_start) / order;
+  return std::ldexp(1.0, -static_cast<int>(std::clamp(fastest - room, 0.0, most_of_exponents)));
 }
 
 ExtendedSystem system_of(const CompiledFunction& accelerations, const ExtendedMotionRequest& request) {
