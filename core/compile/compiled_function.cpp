@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "core/numerics/linear_system.hpp"
 #include "core/numerics/side_by_side.hpp"
@@ -95,6 +96,38 @@ CompiledFunction CompiledFunction::argument_of(const Instruction& call) const {
   CompiledFunction result = *this;
   result.body_.resize(static_cast<std::size_t>(&call - body_.data()));
   result.outputs_ = {operands_[call.first]};
+  return result;
+}
+
+CompiledFunction CompiledFunction::in_unit_of_time(double u) const {
+  CompiledFunction result = *this;
+  const auto literal = [&](double value) {
+    result.literals_.emplace_back(static_cast<Slot>(result.slots_), value);
+    return static_cast<Slot>(result.slots_++);
+  };
+  const auto multiple = [&](std::vector<Instruction>& to, Slot factor, Slot x) {
+    const auto first = static_cast<std::uint32_t>(result.operands_.size());
+    result.operands_.insert(result.operands_.end(), {factor, x});
+    const auto out = static_cast<Slot>(result.slots_++);
+    to.push_back({.operation = Operation::sum_of_products, .linear = 1, .first = first, .out = out});
+    return out;
+  };
+  const Slot unit = literal(u), reciprocal = literal(1 / u), square = literal(u * u);
+  const auto time = static_cast<Slot>(parameters_);
+  std::vector<Instruction> body;
+  const auto replace = [&](Slot slot, Slot factor) {
+    const auto is_it = [slot](Slot operand) { return operand == slot; };
+    if (std::ranges::none_of(operands_, is_it) && std::ranges::none_of(outputs_, is_it)) return;
+    const Slot own = multiple(body, factor, slot);
+    std::replace(result.operands_.begin(), result.operands_.begin() + std::ssize(operands_), slot, own);
+    std::ranges::replace(result.outputs_, slot, own);
+  };
+  replace(time, unit);
+  for (std::size_t i = variables_ / 2; i < variables_; ++i)
+    replace(static_cast<Slot>(time + 1 + i), reciprocal);
+  body.insert(body.end(), body_.begin(), body_.end());
+  for (Slot& output : result.outputs_) output = multiple(body, square, output);
+  result.body_ = std::move(body);
   return result;
 }
 

@@ -60,6 +60,9 @@ class CompiledFunction {
   [[nodiscard]] std::span<const Slot> operands() const { return operands_; }
   /// The same up to one of its calls, whose argument is the output.
   [[nodiscard]] CompiledFunction argument_of(const Instruction& call) const;
+  /// Of accelerations a(t, q, v), whose variables are q and v: those of the same motion by a clock whose unit
+  /// is u, a power of two, u^2 a(u t, q, v/u). The products with u are exact.
+  [[nodiscard]] CompiledFunction in_unit_of_time(double u) const;
 
   /// A workspace with the parameters set and everything that depends on them alone computed.
   [[nodiscard]] Workspace bind(std::span<const double> parameters) const;

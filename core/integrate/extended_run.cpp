@@ -8,6 +8,7 @@
 
 #include "core/integrate/separation.hpp"
 #include "core/integrate/step_terms.hpp"
+#include "core/integrate/unit_of_time.hpp"
 #include "core/numerics/function.hpp"
 
 namespace qdot {
@@ -16,12 +17,18 @@ namespace {
 constexpr int looks_in_step = 32;
 constexpr int halvings_of_a_step = 110;  ///< of an interval: down to the last digit
 
+double margin_of(const ExtendedSystem& system, const DoubleDouble& t, std::span<const DoubleDouble> y) {
+  const double u = system.unit_of_time;
+  if (u == 1) return system.margin(t, y);
+  return system.margin(multiplied(t, u), with_velocities_multiplied(y, system.dimension, 1 / u));
+}
+
 /// Where in the last step the margin, negative at its end, is used up; none where it is nowhere positive.
 std::optional<DoubleDouble> end_of_margin(const ExtendedSystem& system, const ExtendedStepper& stepper) {
   std::vector<DoubleDouble> y(system.dimension);
   const auto is_left = [&](const DoubleDouble& t) {
     stepper.interpolate(t, y);
-    return system.margin(t, y) >= 0;
+    return margin_of(system, t, y) >= 0;
   };
   const DoubleDouble length = stepper.t() - stepper.t_previous();
   DoubleDouble last = stepper.t_previous(), beyond = stepper.t();
@@ -72,7 +79,7 @@ class ExtendedIntegration {
       return;
     }
     if (separation_) follow_rounding();
-    if (!system_.margin || system_.margin(stepper_.t(), stepper_.y()) >= 0) return come_to(stepper_.t());
+    if (!system_.margin || margin_of(system_, stepper_.t(), stepper_.y()) >= 0) return come_to(stepper_.t());
     const auto end = end_of_margin(system_, stepper_);
     run_.ending = end ? Ending::event : Ending::undetermined;
     if (end) come_to(*end);
@@ -127,7 +134,23 @@ class ExtendedIntegration {
 
 ExtendedRun integrate(const ExtendedSystem& system, const ExtendedRunRequest& request,
                       std::span<const DoubleDouble> grid) {
-  return ExtendedIntegration(system, request, grid).run();
+  const double u = system.unit_of_time;
+  if (u == 1) return ExtendedIntegration(system, request, grid).run();
+  const std::size_t n = system.dimension;
+  ExtendedRunRequest by_clock = request;
+  by_clock.t_start = multiplied(request.t_start, 1 / u);
+  by_clock.t_end = multiplied(request.t_end, 1 / u);
+  multiply_velocities(std::span(by_clock.y_start), n, u);
+  multiply_velocities(std::span(by_clock.apart), n, u);
+  std::vector<DoubleDouble> grid_by_clock(grid.begin(), grid.end());
+  for (DoubleDouble& t : grid_by_clock) t = multiplied(t, 1 / u);
+  ExtendedRun run = ExtendedIntegration(system, by_clock, grid_by_clock).run();
+  run.t = multiplied(run.t, u);
+  multiply_velocities(std::span(run.states), n, 1 / u);
+  multiply_velocities(std::span(run.y), n, 1 / u);
+  for (std::vector<double>* const numbers : {&run.passed, &run.apart, &run.apart_at_end})
+    multiply_velocities(std::span(*numbers), n, 1 / u);
+  return run;
 }
 
 unsigned extended_order(double rtol, unsigned highest) {

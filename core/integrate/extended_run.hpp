@@ -24,7 +24,7 @@ struct ExtendedRun {
   bool bounded{};  ///< nothing lies hidden between the places that were looked at
 };
 
-/// The states at the instants of the grid, increasing in [t_start, t_end].
+/// The states at the instants of the grid, increasing in [t_start, t_end]; all of them in seconds.
 [[nodiscard]] ExtendedRun integrate(const ExtendedSystem& system, const ExtendedRunRequest& request,
                                     std::span<const DoubleDouble> grid);
 

@@ -29,15 +29,6 @@ constexpr double largest_coefficient = 1e250;
 constexpr unsigned lowest_order = 12;
 constexpr double infinity_of_steps = std::numeric_limits<double>::infinity();
 
-std::optional<Ending> unusable_state(std::span<const DoubleDouble> y, double max_magnitude) {
-  std::optional<Ending> wrong;
-  for (const DoubleDouble& component : y) {
-    if (std::isnan(component.high) || std::isnan(component.low)) return Ending::nonfinite;
-    if (std::abs(component.high) > max_magnitude) wrong = Ending::blow_up;
-  }
-  return wrong;
-}
-
 }  // namespace
 
 ExtendedStepper::ExtendedStepper(const ExtendedSystem& system, const ExtendedRunRequest& request)
@@ -159,9 +150,18 @@ std::optional<Ending> ExtendedStepper::spent_limit() const {
   return std::nullopt;
 }
 
+std::optional<Ending> ExtendedStepper::unusable_state(std::span<const DoubleDouble> y) const {
+  std::optional<Ending> wrong;
+  for (std::size_t i = 0; i < y.size(); ++i) {
+    if (std::isnan(y[i].high) || std::isnan(y[i].low)) return Ending::nonfinite;
+    if (std::abs(y[i].high) > unit_of(i) * request_.limits.max_magnitude) wrong = Ending::blow_up;
+  }
+  return wrong;
+}
+
 std::optional<Ending> ExtendedStepper::expand(const DoubleDouble& t, std::span<const DoubleDouble> y,
                                               unsigned order, Series& series) {
-  if (const auto wrong = unusable_state(y, request_.limits.max_magnitude)) return trouble_ = wrong;
+  if (const auto wrong = unusable_state(y)) return trouble_ = wrong;
   for (series.order = order;; series.order = series.order * 3 / 4) {
     evaluations_ += series.order;
     const auto c = std::span(series.c).first(y.size() * (series.order + 1));
@@ -180,7 +180,7 @@ bool ExtendedStepper::is_in_range(const Series& series) const {
 
 double ExtendedStepper::weight(std::size_t i) const {
   const double reach = std::abs(y_[i].high) + last_step_ * std::abs(row(next_, i)[1].high);
-  return request_.tolerances.atol + request_.tolerances.rtol * reach;
+  return unit_of(i) * request_.tolerances.atol + request_.tolerances.rtol * reach;
 }
 
 /// By the last two coefficients that are finite in all components, and by what the first coefficients in

@@ -14,6 +14,7 @@
 // Mathematics 14 (2005) 99, section 3.
 
 #include <functional>
+#include <memory>
 #include <optional>
 #include <span>
 #include <vector>
@@ -25,8 +26,12 @@
 
 namespace qdot {
 
+/// Of y = (q, v), in seconds or by a clock whose unit is a power of two of them: near 2^-40 s for what moves
+/// as fast as an electron, whose high coefficients would leave the range of doubles. By that clock all
+/// functions take and give t, q and v; only `margin` has seconds.
 struct ExtendedSystem {
   std::size_t dimension{};
+  double unit_of_time{1};
   /// y_i(t + s) = sum_k c[i (order + 1) + k] s^k
   std::function<Evaluation(const DoubleDouble& t, std::span<const DoubleDouble> y, unsigned order,
                            std::span<DoubleDouble> c)>
@@ -51,6 +56,7 @@ struct ExtendedSystem {
   double round_off{1e-28};
   /// The equations are those of the motion while it is not negative. Optional.
   std::function<double(const DoubleDouble& t, std::span<const DoubleDouble> y)> margin{};
+  std::shared_ptr<const void> kept{};  ///< what the functions refer to
 };
 
 struct ExtendedRunRequest {
@@ -106,6 +112,9 @@ class ExtendedStepper {
                                              unsigned order, Series& series);
   [[nodiscard]] unsigned order_after(double h) const;
   [[nodiscard]] bool is_in_range(const Series& series) const;
+  /// Of component i, a second's worth of its own: numbers that are no share of y are for seconds.
+  [[nodiscard]] double unit_of(std::size_t i) const { return i < y_.size() / 2 ? 1 : system_.unit_of_time; }
+  [[nodiscard]] std::optional<Ending> unusable_state(std::span<const DoubleDouble> y) const;
   [[nodiscard]] double weight(std::size_t i) const;
   [[nodiscard]] double step_size();
   [[nodiscard]] bool doubles_are_small(double h);

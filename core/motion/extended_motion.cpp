@@ -1,6 +1,7 @@
 #include "core/motion/extended_motion.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <memory>
 
@@ -18,6 +19,9 @@ constexpr unsigned order_of_mixed = TaylorExpansion::highest_order;
 constexpr unsigned lower_order_of_mixed = 24;
 constexpr double round_off_of_full = 1e-32;
 constexpr unsigned order_beside_full = 24;  ///< of the series in doubles that tell what a step in full hides
+/// Of coefficients: next to where doubles end, and where there is room on both sides.
+constexpr int range_of_exponents = 830, exponent_at_start = 400;
+constexpr double most_of_exponents = 400;  ///< of a unit of time, whose square is in the equations
 
 std::vector<double> rounded(std::span<const DoubleDouble> numbers) {
   std::vector<double> result;
@@ -80,25 +84,49 @@ decltype(ExtendedSystem::hidden) hidden_of(const std::shared_ptr<MixedExpansion>
                      std::span<double> defect) { return expansion->bound_defect(t, y, h, allowed, defect); };
 }
 
-}  // namespace
-
-std::vector<DoubleDouble> double_doubles(const Reals& numbers) {
-  std::vector<DoubleDouble> result;
-  for (std::size_t i = 0; i < numbers.size(); ++i) result.push_back(numbers.exact(i).double_double());
-  return result;
+double tolerance_of(const ExtendedMotionRequest& request) {
+  if (request.rtol > 0) return request.rtol;
+  return request.form == Form::full ? round_off_of_full : round_off_of_mixed;
 }
 
-ExtendedMotionRequest extended_request(const Reals& parameters, const Reals& y_start, double t_start,
-                                       std::span<const double> grid) {
-  ExtendedMotionRequest result;
-  result.parameters = double_doubles(parameters);
-  result.y_start = double_doubles(y_start);
-  result.t_start = t_start;
-  result.grid.assign(grid.begin(), grid.end());
-  return result;
+unsigned order_of(const ExtendedMotionRequest& request) {
+  if (request.taylor_order > 0) return request.taylor_order;
+  return request.form == Form::full ? extended_order(tolerance_of(request), ExtendedExpansion::highest_order)
+                                    : order_of_mixed;
 }
 
-ExtendedSystem extended_system(const CompiledFunction& accelerations, const ExtendedMotionRequest& request) {
+bool is_in_range(const DoubleDouble& c) {
+  return is_finite(c) && (c.high == 0 || std::ilogb(c.high) <= range_of_exponents);
+}
+
+/// log2 of what coefficients grow by from order to order, by two in range that are far apart; 0 where there
+/// are none.
+double growth(std::span<const DoubleDouble> series) {
+  const auto is_usable = [&](std::size_t k) { return series[k].high != 0 && is_in_range(series[k]); };
+  std::size_t later = series.size() - 1;
+  while (later > 0 && !is_usable(later)) --later;
+  std::size_t earlier = later / 2;
+  while (earlier > 0 && !is_usable(earlier)) --earlier;
+  if (later == 0 || !is_usable(earlier)) return 0;
+  const int rise = std::ilogb(series[later].high) - std::ilogb(series[earlier].high);
+  return rise / static_cast<double>(later - earlier);
+}
+
+/// A second, where coefficients at the start are in range by it, as those of most motions are; otherwise one
+/// by which they are, with room for a motion that becomes faster or slower.
+double unit_of_time_for(const ExtendedSystem& system, const ExtendedMotionRequest& request) {
+  const unsigned order = std::max(order_of(request), system.order_of_hidden);
+  std::vector<DoubleDouble> c(system.dimension * (order + 1));
+  if (system.expansion(request.t_start, request.y_start, order, c) != Evaluation::ok) return 1;
+  if (std::ranges::all_of(c, is_in_range)) return 1;
+  double fastest = 0;
+  for (std::size_t i = 0; i < system.dimension; ++i)
+    fastest = std::max(fastest, growth(std::span(c).subspan(i * (order + 1), order + 1)));
+  const double room = static_cast<double>(exponent_at_start) / order;
+  return std::ldexp(1.0, -static_cast<int>(std::clamp(fastest - room, 0.0, most_of_exponents)));
+}
+
+ExtendedSystem system_of(const CompiledFunction& accelerations, const ExtendedMotionRequest& request) {
   ExtendedSystem system;
   system.dimension = request.y_start.size();
   const auto use = [&system](auto expansion) {
@@ -125,20 +153,47 @@ ExtendedSystem extended_system(const CompiledFunction& accelerations, const Exte
   return system;
 }
 
+}  // namespace
+
+std::vector<DoubleDouble> double_doubles(const Reals& numbers) {
+  std::vector<DoubleDouble> result;
+  for (std::size_t i = 0; i < numbers.size(); ++i) result.push_back(numbers.exact(i).double_double());
+  return result;
+}
+
+ExtendedMotionRequest extended_request(const Reals& parameters, const Reals& y_start, double t_start,
+                                       std::span<const double> grid) {
+  ExtendedMotionRequest result;
+  result.parameters = double_doubles(parameters);
+  result.y_start = double_doubles(y_start);
+  result.t_start = t_start;
+  result.grid.assign(grid.begin(), grid.end());
+  return result;
+}
+
+ExtendedSystem extended_system(const CompiledFunction& accelerations, const ExtendedMotionRequest& request) {
+  ExtendedSystem in_seconds = system_of(accelerations, request);
+  const double unit = unit_of_time_for(in_seconds, request);
+  if (unit == 1) return in_seconds;
+  const auto by_clock = std::make_shared<const CompiledFunction>(accelerations.in_unit_of_time(unit));
+  ExtendedSystem system = system_of(*by_clock, request);
+  system.unit_of_time = unit;
+  system.kept = by_clock;
+  return system;
+}
+
 ExtendedRun extended_states(const Dynamics& dynamics, const ExtendedMotionRequest& request) {
   return extended_states(extended_system(dynamics.accelerations(), request), request);
 }
 
 ExtendedRun extended_states(const ExtendedSystem& system, const ExtendedMotionRequest& request) {
-  const bool is_full = request.form == Form::full;
-  const double rtol = request.rtol > 0 ? request.rtol : is_full ? round_off_of_full : round_off_of_mixed;
-  const unsigned order = is_full ? extended_order(rtol, ExtendedExpansion::highest_order) : order_of_mixed;
+  const double rtol = tolerance_of(request);
   const ExtendedRunRequest run{.t_start = request.t_start,
                                .y_start = request.y_start,
                                .apart = request.apart,
                                .t_end = request.grid.empty() ? request.t_start : request.grid.back(),
-                               .order = request.taylor_order > 0 ? request.taylor_order : order,
-                               .lower_order = is_full ? 0 : lower_order_of_mixed,
+                               .order = order_of(request),
+                               .lower_order = request.form == Form::full ? 0 : lower_order_of_mixed,
                                .tolerances = {rtol, rtol * request.atol_over_rtol},
                                .limits = request.limits};
   return integrate(system, run, request.grid);

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/integrate/unit_of_time.hpp"
+
 namespace qdot {
 namespace {
 
@@ -153,8 +155,12 @@ bool ExtendedPieces::turn_at_zero(const ExtendedSystem& system, const Function& 
 std::optional<DoubleDouble> ExtendedPieces::zero_beside(const ExtendedSystem& system, const Function& g,
                                                         double duration) {
   known_ = piece_.t_start;
-  beside_.resize(piece_.y_start.size() * (order_beside + 1));
-  if (system.expansion(known_, piece_.y_start, order_beside, beside_) != Evaluation::ok) return std::nullopt;
+  unit_ = system.unit_of_time;
+  const std::size_t n = piece_.y_start.size();
+  beside_.resize(n * (order_beside + 1));
+  const auto t = multiplied(known_, 1 / unit_);
+  const auto y = with_velocities_multiplied(std::span<const DoubleDouble>(piece_.y_start), n, unit_);
+  if (system.expansion(t, y, order_beside, beside_) != Evaluation::ok) return std::nullopt;
   const auto g_beside = [&](const DoubleDouble& d) {
     move(d);
     return g(piece_.t_start, piece_.y_start);
@@ -165,11 +171,13 @@ std::optional<DoubleDouble> ExtendedPieces::zero_beside(const ExtendedSystem& sy
 
 void ExtendedPieces::move(const DoubleDouble& d) {
   piece_.t_start = known_ + d;
+  const DoubleDouble s = multiplied(d, 1 / unit_);
   for (std::size_t i = 0; i < piece_.y_start.size(); ++i) {
     piece_.y_start[i] = 0.0;
     for (std::size_t k = order_beside + 1; k-- > 0;)
-      piece_.y_start[i] = piece_.y_start[i] * d + beside_[i * (order_beside + 1) + k];
+      piece_.y_start[i] = piece_.y_start[i] * s + beside_[i * (order_beside + 1) + k];
   }
+  multiply_velocities(std::span(piece_.y_start), piece_.y_start.size(), 1 / unit_);
 }
 
 bool ExtendedPieces::has_row_within(double t, double reach) const {

@@ -73,7 +73,8 @@ class ExtendedPieces {
   std::vector<double> largest_;       ///< that was passed, of each component
   bool has_left_{false};              ///< in the last piece
   DoubleDouble known_;                ///< the place where a piece ended in doubles
-  std::vector<DoubleDouble> beside_;  ///< the series around it
+  std::vector<DoubleDouble> beside_;  ///< the series around it, in units of time of the system
+  double unit_{1};                    ///< that one, in seconds
 };
 
 }  // namespace qdot

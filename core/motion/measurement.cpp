@@ -24,6 +24,9 @@ constexpr std::uint64_t work_of_all_rungs = 64;  ///< times that of a loose run,
 constexpr double unmeasurable = 1e-200;  ///< is no error of a column that is 0 all along: room for underflow
 /// Times what is left from where impacts fork to where they accumulate: each way has forks of its own.
 constexpr double of_other_cascades = 4;
+/// Evaluations of a loose run from zeros: where it takes more, they may be those of another motion, as steps
+/// may leave the place where cos(x/a) is that of a tiny a.
+constexpr std::uint64_t enough_from_rest = 50'000;
 constexpr double without_bound = 1e299;  ///< are errors that follow from what has none
 constexpr double stiff = 1e4;  ///< damping times span: Taylor's method would need 1000 steps for stability
 
@@ -58,7 +61,8 @@ Measurement::Measurement(const Dynamics& dynamics, const SimulationRequest& requ
       grid_(request),
       is_stiff_(damping_times_span(dynamics, request.parameters, request.t_start, request.y_start,
                                    request.t_end - request.t_start) > stiff),
-      size_(resolved_size(request.y_start)) {}
+      size_(resolved_size(request.y_start)),
+      size_from_rest_(small_size_from_rest(dynamics, request)) {}
 
 double Measurement::resolve_columns() {
   if (goal_.kind != AccuracyGoal::Kind::relative) return 1;
@@ -89,9 +93,16 @@ void Measurement::take(Tolerances tolerances) {
   request.tolerances = tolerances;
   request.notes_approaches = goal_.verify;
   if (is_stiff_ && request.method == Method::taylor) request.method = Method::bdf;
+  const bool may_be_too_loose = goal_.kind != AccuracyGoal::Kind::tolerances && size_from_rest_ < size_;
+  if (may_be_too_loose)
+    request.limits.max_evaluations = std::min(request.limits.max_evaluations, enough_from_rest);
   result_ = {};
   result_.tolerances = tolerances;
   result_.simulation = run(std::move(request));
+  if (may_be_too_loose && !ended_well(result_.simulation.ending) && left() > 0) {
+    size_ = size_from_rest_;
+    return take({tolerances.rtol, std::min(tolerances.atol, tolerances.rtol * size_)});
+  }
   result_.bounded = result_.simulation.bounded;
 }
 

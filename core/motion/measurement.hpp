@@ -71,8 +71,9 @@ class Measurement {
   const SimulationRequest& request_;
   const AccuracyGoal& goal_;
   DenseGrid grid_;
-  bool is_stiff_;  ///< explicit methods are of no use
-  double size_;    ///< of what steps are to resolve
+  bool is_stiff_;          ///< explicit methods are of no use
+  double size_;            ///< of what steps are to resolve
+  double size_from_rest_;  ///< where loose steps from zeros may have gone astray
   std::optional<EventRows> event_rows_;
   MeasuredSimulation result_;
   bool may_give_up_{false};

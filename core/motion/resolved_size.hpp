@@ -6,6 +6,9 @@
 #include <cmath>
 #include <span>
 
+#include "core/dynamics/dynamics.hpp"
+#include "core/motion/simulation_request.hpp"
+
 namespace qdot {
 
 inline constexpr double least_size = 1e-200;  ///< that is resolved: room for underflow
@@ -16,5 +19,9 @@ inline constexpr double least_size = 1e-200;  ///< that is resolved: room for un
   for (const double x : y) largest = std::max(largest, std::abs(x));
   return largest > 0 ? std::max(largest, least_size) : 1;
 }
+
+/// Of a start where all is 0: the largest term that the motion's series has by the time in which high ones
+/// would be as large as those before, if that is less than a size of 1 resolves. Infinite otherwise.
+[[nodiscard]] double small_size_from_rest(const Dynamics& dynamics, const SimulationRequest& request);
 
 }  // namespace qdot

@@ -267,6 +267,38 @@ class Extended(Service):
                     self.assertLessEqual(abs(mpf(answer["trajectory"][name][-1]) - truth), stated)
                     self.assertLess(stated, mpf("1e-27")*mpf(b)**2)
 
+    def test_fast_motions_have_the_digits_that_they_have_in_units_of_their_own(self):
+        pendulum = ("x_dot^2/2 + w2*cos(x) + f*x*sin(o*t)", {"w2": ("9.3", 2), "f": ("2.1", 2), "o": ("1.7", 1)},
+                    {"x": ("1", 0), "x_dot": ("0.3", 1)}, "6.3", 0)
+        scattering = ("m*(x_dot^2 + y_dot^2)/2 - k/sqrt(x^2 + y^2)", {"m": ("6.64", 0), "k": ("3.64", 2)},
+                      {"x": ("-7.21", 0), "y": ("0.18", 0), "x_dot": ("1.3", 1)}, "35.1", -13)
+
+        def answer(motion, by_seconds, metre):
+            text, parameters, start, t_end, _ = motion
+            of_k = 3*metre
+            scene = {"name": "s", "units": "none", "lagrangian": text,
+                     "coordinates": [{"name": name} for name in start if "_" not in name],
+                     "parameters": [{"name": name, "default": f"{number}e{by_seconds*power + of_k*(name == 'k')}"}
+                                    for name, (number, power) in parameters.items()]}
+            initial = ", ".join(f'"{name}": {number}e{by_seconds*power + metre}'
+                                for name, (number, power) in start.items())
+            body = (f'{{"system": {json.dumps(scene)}, "initial": {{{initial}}}, "t_end": {t_end}e{-by_seconds}, '
+                    '"samples": 3, "precision": "extended"}')
+            return self.extended(body)
+
+        for motion in (pendulum, scattering):
+            slow, metre = answer(motion, 0, 0), motion[-1]
+            for by_seconds in (9, 12, 15, 20):
+                fast = answer(motion, by_seconds, metre)
+                self.assertLess(fast["diagnostics"]["steps"], 1.5*slow["diagnostics"]["steps"])
+                self.assertNotIn("reason", fast["accuracy"])
+                for name in motion[2]:
+                    unit = mpf(10)**(metre + (by_seconds if "_" in name else 0))
+                    stated = [mpf(one["accuracy"]["max_abs_error"][name]) for one in (slow, fast)]
+                    self.assertLess(stated[1], 3*stated[0]*unit)
+                    for one, other in zip(slow["trajectory"][name], fast["trajectory"][name]):
+                        self.assertLessEqual(abs(mpf(other) - unit*mpf(one)), stated[1] + unit*stated[0], name)
+
     def test_a_get_asks_the_same(self):
         fields = {"system": "spring_pendulum", "t_end": 1, "samples": 3, "precision": "extended", "digits": 28}
         by_get = json.loads(self.get("simulate", fields).data, parse_float=str)

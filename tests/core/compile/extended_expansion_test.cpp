@@ -137,6 +137,34 @@ TEST(ExtendedExpansion, SolvesCoupledEquationsToThirtyDigits) {
                               {{0.4, 1e-17}, 0.3, -0.2, {-0.3, 1.3e-17}, 0.5, {0.1, 1e-18}});
 }
 
+void expect_the_same_bits_by_another_clock(const CompiledFunction& tape,
+                                           std::span<const DoubleDouble> parameters,
+                                           std::vector<DoubleDouble> y) {
+  const double u = 0x1p-7;
+  const DoubleDouble t{0.7, 1.1e-17};
+  const CompiledFunction by_clock = tape.in_unit_of_time(u);
+  std::vector<DoubleDouble> c(y.size() * (order + 1)), other(c.size());
+  ASSERT_EQ(ExtendedExpansion(tape, parameters).expand(t, y, order, c), Evaluation::ok);
+  for (std::size_t i = y.size() / 2; i < y.size(); ++i) y[i] = scaled(y[i], -7);
+  ASSERT_EQ(ExtendedExpansion(by_clock, parameters).expand(scaled(t, 7), y, order, other), Evaluation::ok);
+  for (std::size_t i = 0; i < c.size(); ++i) {
+    const int power = static_cast<int>(i % (order + 1)) + (i < c.size() / 2 ? 0 : 1);
+    const DoubleDouble expected = scaled(c[i], -7 * power);
+    EXPECT_EQ(other[i].high, expected.high) << i;
+    EXPECT_EQ(other[i].low, expected.low) << i;
+  }
+}
+
+TEST_P(ExtendedRecurrence, HasTheSameBitsByAnotherClock) {
+  const DoubleDouble c = DoubleDouble(1) / DoubleDouble(3);
+  expect_the_same_bits_by_another_clock(acceleration(GetParam()), {&c, 1}, {{0.4, 1e-17}, {-0.3, 1.3e-17}});
+}
+
+TEST(ExtendedExpansion, HasTheSameBitsByAnotherClockWhereEquationsAreCoupled) {
+  expect_the_same_bits_by_another_clock(coupled_accelerations(), {},
+                                        {{0.4, 1e-17}, 0.3, -0.2, {-0.3, 1.3e-17}, 0.5, {0.1, 1e-18}});
+}
+
 TEST(ExtendedExpansion, SaysWhereThereIsNoValue) {
   std::vector<DoubleDouble> c(2 * (order + 1));
   const std::vector<DoubleDouble> y{0.0, 1.0};

@@ -14,6 +14,7 @@ namespace qdot::extended_kinks_test {
 namespace {
 
 constexpr double of_double_doubles = 1e-28;
+constexpr double of_mixed_form = 1e-19;  ///< where series do not end
 
 struct Place {
   DoubleDouble x, v;
@@ -61,6 +62,27 @@ TEST_F(KinkedMass, PassesKinksWithAllDigits) {
     const DoubleDouble s = t - quarter - quarter;
     return Place{half * s * s - DoubleDouble(1), s};
   });
+}
+
+/// V = m |x| w^2 + m w^2 x^2/2: cosines about -1 on the right, and about 1 on the left. Of this fast motion
+/// the coefficients of order 30 are no doubles.
+TEST_F(KinkedMass, PassesAKinkHoweverFastItIs) {
+  const double w = 0x1p44, quarter = std::acos(0.5);
+  const std::vector<double> rows{0, 0.5 / w, 1 / w, 1.25 / w, 1.5 / w, 2 / w};
+  const auto found = run("-F*sign(x) - F*x/L", {{"x", 1}, {"F", w * w}}, rows);
+  ASSERT_EQ(motion_.pieces.size(), 2U);
+  ASSERT_EQ(found.rows, rows.size());
+  // x = 2 cos(w t) - 1 until w t = pi/3, then 1 + A cos(w t) + B sin(w t), where -1 = A/2 + B sqrt(3)/2 and
+  // -sqrt(3) = -A sqrt(3)/2 + B/2.
+  const DoubleDouble root = sqrt(DoubleDouble(3)), one(1), two(2);
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    const auto [sine, cosine] = sine_cosine(DoubleDouble(rows[i] * w));
+    const bool is_right = rows[i] * w < quarter;
+    const DoubleDouble x = is_right ? two * cosine - one : one + cosine - root * sine;
+    const DoubleDouble v = is_right ? -two * sine : -sine - root * cosine;
+    EXPECT_LT(std::abs((found.states[2 * i] - x).high), of_mixed_form) << i;
+    EXPECT_LT(std::abs((scaled(found.states[2 * i + 1], -44) - v).high), of_mixed_form) << i;
+  }
 }
 
 /// The same kink found a little early or late, as a motion in doubles with its errors may find it.

@@ -43,6 +43,34 @@ TEST(ExtendedSimulation, StatesItsErrorAndMeetsWhatIsWanted) {
   }
 }
 
+/// The same motion in a unit of time that is a power of two of seconds.
+ExtendedSimulationRequest fast_pendulum(const Model& model, int exponent) {
+  const auto times = [](const Real& x, int power) {
+    return Real{std::ldexp(x.value, power), std::ldexp(x.low, power), std::ldexp(x.error, power)};
+  };
+  ExtendedSimulationRequest request = plane_pendulum(model, times(decimal("9.81"), 2 * exponent));
+  request.y_start.set(1, times(request.y_start.exact(1), exponent));
+  request.grid = Reals();
+  request.grid.push_back(times(decimal("7.3"), -exponent));
+  return request;
+}
+
+TEST(ExtendedSimulation, FollowsAMotionAsFastAsAnElectronsLikeAnyOther) {
+  const auto model = test::model_of("plane_pendulum");
+  const Dynamics dynamics(model);
+  const ExtendedSimulation slow = extended_simulation(dynamics, fast_pendulum(*model, 0));
+  for (const int exponent : {30, 36, 40, 44, 50, 60, 75, 90}) {
+    const ExtendedSimulation fast = extended_simulation(dynamics, fast_pendulum(*model, exponent));
+    ASSERT_EQ(fast.max_abs_error.size(), 2u) << exponent;
+    EXPECT_TRUE(fast.bounded) << exponent;
+    const double error = std::abs((fast.run.states[0] - angle).high);
+    EXPECT_LE(error, fast.max_abs_error[0]) << exponent;
+    EXPECT_LE(fast.max_abs_error[0], 2 * slow.max_abs_error[0]) << exponent;
+    EXPECT_LE(fast.max_abs_error[1], std::ldexp(2 * slow.max_abs_error[1], exponent)) << exponent;
+    EXPECT_LE(fast.run.steps, slow.run.steps + 2) << exponent;
+  }
+}
+
 TEST(ExtendedSimulation, SaysWhenTheErrorWantedIsOutOfReach) {
   const auto model = test::model_of("plane_pendulum");
   ExtendedSimulationRequest request = plane_pendulum(*model, decimal("9.81"));

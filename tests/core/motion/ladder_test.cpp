@@ -212,6 +212,25 @@ TEST(Ladder, SaysWhatIsOutOfReach) {
   EXPECT_LE(true_error(m, grid), m.max_abs_error[0]);
 }
 
+/// x'' = -k L sin(x/L) + f L sin(w t) - b x' from zeros, for an L of 1e-15 m. Steps of a tolerance beside 1 m
+/// leave the place where sin(x/L) is slow.
+TEST(Ladder, AStartOfZerosTellsNothingOfTheUnitAndIsSlowInNone) {
+  const auto model =
+      test::mass_under("F*(7.11*sin(1.88*t/T) - 5.07*sin(x/L)*(1 + t/T/100)) - 0.288*m*x_dot/T");
+  const Dynamics dynamics(model);
+  for (const double size : {1.0, 1e-9, 1e-12, 1e-14, 1e-15, 1e-16, 1e-18}) {
+    const Values given{{"L", 2.06 * size}, {"F", size}};
+    for (const double wanted : {1e-3, 1e-6}) {
+      SimulationRequest request = test::request_for(*model, given, {0, 9.7, 19.4});
+      request.method = Method::taylor;
+      const AccuracyGoal goal{.kind = Kind::relative, .value = wanted};
+      const MeasuredSimulation m = simulate_with_error(dynamics, request, goal);
+      EXPECT_EQ(m.meets_request, true) << size << " " << m.reason;
+      EXPECT_LT(m.evaluations, 150'000U) << size;
+    }
+  }
+}
+
 TEST(Ladder, KeepsToTheWorkAllowed) {
   const std::vector<double> grid = test::instants(50, 100);
   double last = std::numeric_limits<double>::infinity();
