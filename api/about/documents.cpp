@@ -82,6 +82,7 @@ Json limits_json() {
           {"sweep_rows", limits::sweep_rows},
           {"sweep_variables", limits::sweep_variables},
           {"sweep_columns", limits::sweep_columns},
+          {"sweep_answer_bytes", limits::sweep_answer_bytes},
           {"algebra", limits::algebra},
           {"rows", limits::rows},
           {"numbers", limits::numbers},

@@ -61,30 +61,42 @@ Real real_of(std::string_view decimal) {
   return (negative ? -size : size).rounded();
 }
 
+constexpr double all_whole = 9007199254740992;  // 2^53: beyond it doubles leave integers out
+
 std::optional<std::int64_t> whole_number(double number) {
-  constexpr double exact = 9007199254740992;  // 2^53: beyond it doubles leave integers out
-  if (!(std::abs(number) <= exact) || number != std::trunc(number)) return std::nullopt;
+  if (!(std::abs(number) <= all_whole) || number != std::trunc(number)) return std::nullopt;
   return static_cast<std::int64_t>(number);
+}
+
+/// The number that all of a text is.
+template <class Number>
+std::optional<Number> only_number(std::string_view text) {
+  text = trimmed(text);
+  Number number{};
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
+  return error == std::errc{} && end == text.data() + text.size() ? std::optional(number) : std::nullopt;
 }
 
 std::optional<std::int64_t> whole_number(const Json& value, Road road) {
   if (value.is_number_unsigned()) {
     const auto number = value.get<std::uint64_t>();
-    return static_cast<std::int64_t>(
-        std::min<std::uint64_t>(number, std::numeric_limits<std::int64_t>::max()));
+    constexpr std::uint64_t most = std::numeric_limits<std::int64_t>::max();
+    return number <= most ? std::optional(static_cast<std::int64_t>(number)) : std::nullopt;
   }
   if (value.is_number_integer()) return value.get<std::int64_t>();
   if (value.is_number_float()) return whole_number(value.get<double>());
   if (road != Road::query) return std::nullopt;
-  const std::string_view text = trimmed(value.get_ref<const std::string&>());
-  const auto read = [&](auto& number) {
-    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
-    return error == std::errc{} && end == text.data() + text.size();
-  };
-  std::int64_t number{};
-  if (read(number)) return number;
-  double decimal{};  // "1e3"
-  return read(decimal) ? whole_number(decimal) : std::nullopt;
+  const auto& text = value.get_ref<const std::string&>();
+  if (const auto number = only_number<std::int64_t>(text)) return number;
+  const auto decimal = only_number<double>(text);  // "1e3"
+  return decimal ? whole_number(*decimal) : std::nullopt;
+}
+
+/// A number with more digits than any field takes, 1e30; whole, as every double is that is so large.
+std::optional<double> huge_number(const Json& value) {
+  const auto number = value.is_string() ? only_number<double>(value.get_ref<const std::string&>())
+                                        : std::optional(value.get<double>());
+  return number && std::isfinite(*number) && std::abs(*number) > all_whole ? number : std::nullopt;
 }
 
 }  // namespace
@@ -167,14 +179,19 @@ std::optional<Json> read_value(const IntegerKind& kind, const std::string& name,
   if (!value.is_number() && !(value.is_string() && place.road() == Road::query)) {
     return refuse_type(place, errors, name, "a whole number", value);
   }
-  const std::optional<std::int64_t> number = whole_number(value, place.road());
-  if (!number) return refuse(place, errors, "wrong_type", "'" + name + "' needs a whole number.");
-  const bool is_bounded = kind.upper_end == UpperEnd::of_sense || work_bounds() != WorkBounds::none;
-  if (*number < kind.least || (is_bounded && *number > kind.most)) {
+  const auto out_of_range = [&](const std::string& given) {
     return refuse(place, errors, "out_of_range",
                   "'" + name + "' must be from " + std::to_string(kind.least) + " to " +
-                      std::to_string(kind.most) + "; it is " + std::to_string(*number) + ".");
+                      std::to_string(kind.most) + "; it is " + given + ".");
+  };
+  const std::optional<std::int64_t> number = whole_number(value, place.road());
+  if (!number) {
+    if (const auto huge = huge_number(value)) return out_of_range(number_text(*huge));
+    return refuse(place, errors, "wrong_type", "'" + name + "' needs a whole number.");
   }
+  const bool is_bounded = kind.upper_end == UpperEnd::of_sense || work_bounds() != WorkBounds::none;
+  if (*number < kind.least || (is_bounded && *number > kind.most))
+    return out_of_range(std::to_string(*number));
   return *number;
 }
 

@@ -28,6 +28,8 @@ inline constexpr std::uint64_t check_algebra = 300'000;  ///< of one submission
 inline constexpr std::size_t id_bytes = 200;
 inline constexpr std::size_t batch_lines = 1'000;
 inline constexpr std::size_t batch_answer_bytes = 16 * 1024 * 1024;
+/// Room for all numbers that may be asked for, in any form, where names have up to 30 letters.
+inline constexpr std::size_t sweep_answer_bytes = 32 * 1024 * 1024;
 inline constexpr std::int64_t sweep_rows = 10'000;
 inline constexpr std::size_t sweep_variables = 8;
 inline constexpr std::size_t sweep_columns = 50;

@@ -1,5 +1,8 @@
 #include "api/json/pointer.hpp"
 
+#include <charconv>
+#include <limits>
+
 namespace qdot::api {
 namespace {
 
@@ -31,5 +34,44 @@ std::string below(std::string pointer, std::string_view key) {
 }
 
 std::string below(std::string pointer, std::size_t index) { return pointer + "/" + std::to_string(index); }
+
+std::optional<std::vector<std::string>> steps_of(std::string_view pointer) {
+  if (!pointer.starts_with('/')) return std::nullopt;
+  std::vector<std::string> steps;
+  while (!pointer.empty()) {
+    pointer.remove_prefix(1);
+    std::string step;
+    for (; !pointer.empty() && pointer[0] != '/'; pointer.remove_prefix(1)) {
+      const bool is_escape = pointer[0] == '~';
+      if (is_escape && (pointer.size() < 2 || (pointer[1] != '0' && pointer[1] != '1'))) return std::nullopt;
+      step += is_escape ? (pointer[1] == '0' ? '~' : '/') : pointer[0];
+      if (is_escape) pointer.remove_prefix(1);
+    }
+    steps.push_back(std::move(step));
+  }
+  return steps;
+}
+
+bool is_made_of_digits(std::string_view step) {
+  return !step.empty() && step.find_first_not_of("0123456789") == std::string_view::npos;
+}
+
+std::optional<std::size_t> index_of(std::string_view step) {
+  if (!is_made_of_digits(step) || (step.starts_with('0') && step.size() > 1)) return std::nullopt;
+  std::size_t index{};
+  const auto error = std::from_chars(step.data(), step.data() + step.size(), index).ec;
+  const bool is_counted = error == std::errc() && index < std::numeric_limits<std::size_t>::max();
+  return is_counted ? std::optional(index) : std::nullopt;
+}
+
+const Json* child_at(const Json& from, const std::string& step) {
+  if (from.is_object()) {
+    const auto found = from.find(step);
+    return found == from.end() ? nullptr : &*found;
+  }
+  if (!from.is_array()) return nullptr;
+  const auto index = index_of(step);
+  return index && *index < from.size() ? &from[*index] : nullptr;
+}
 
 }  // namespace qdot::api

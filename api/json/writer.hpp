@@ -69,6 +69,9 @@ class JsonWriter {
   /// Key and value in one, if it is wanted.
   void member(std::string_view name, const Json& json, int digits = shortest_digits);
 
+  /// Bytes written so far.
+  [[nodiscard]] std::size_t size() const { return out_.size(); }
+
   /// The document, ended by a newline.
   [[nodiscard]] std::string finish() &&;
 

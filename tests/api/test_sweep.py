@@ -279,7 +279,6 @@ class Refused(Service):
             "#/vary/k/from": {"vary": {"k": {"from": "1 kg", "to": 2, "count": 3}}},
             "#/vary/k/spacing": {"vary": {"k": {"from": -1, "to": 2, "count": 3, "spacing": "log"}}},
             "#/vary/k/values/1": {"vary": {"k": {"values": [1, "two"]}}},
-            "#/vary/k/to": {"vary": {"k": {"from": 1e308, "to": 1.1e308, "count": 5}}},
             "#/vary/k/normal": {"vary": {"k": {"normal": [1, -1]}}, "count": 3},
             "#/vary/k/uniform": {"vary": {"k": {"uniform": [1]}}, "count": 3},
             "#/vary": {"vary": {}},

@@ -1,10 +1,10 @@
 #include "api/answers/check/pointed_values.hpp"
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <limits>
 
+#include "api/json/pointer.hpp"
 #include "api/json/text.hpp"
 #include "core/mechanics/units.hpp"
 
@@ -12,43 +12,6 @@ namespace qdot::api {
 namespace {
 
 constexpr std::size_t most_values = 10'000;
-
-/// A pointer's reference tokens, unescaped.
-std::optional<std::vector<std::string>> tokens_of(std::string_view pointer) {
-  if (!pointer.starts_with('/')) return std::nullopt;
-  std::vector<std::string> tokens{""};
-  for (std::size_t i = 1; i < pointer.size(); ++i) {
-    if (pointer[i] == '/') {
-      tokens.emplace_back();
-    } else if (pointer[i] != '~') {
-      tokens.back() += pointer[i];
-    } else {
-      const char next = i + 1 < pointer.size() ? pointer[++i] : '\0';
-      if (next != '0' && next != '1') return std::nullopt;
-      tokens.back() += next == '0' ? '~' : '/';
-    }
-  }
-  return tokens;
-}
-
-std::optional<std::size_t> index_of(std::string_view token) {
-  std::size_t index{};
-  const auto [end, error] = std::from_chars(token.data(), token.data() + token.size(), index);
-  const bool is_plain = token == "0" || !token.starts_with('0');
-  if (error != std::errc() || end != token.data() + token.size() || !is_plain) return std::nullopt;
-  return index;
-}
-
-/// One step down; null where it leads nowhere.
-const Json* step(const Json& from, const std::string& token) {
-  if (from.is_object()) {
-    const auto found = from.find(token);
-    return found == from.end() ? nullptr : &*found;
-  }
-  if (!from.is_array()) return nullptr;
-  const auto index = index_of(token);
-  return index && *index < from.size() ? &from[*index] : nullptr;
-}
 
 using Path = std::vector<std::string>;
 
@@ -68,9 +31,9 @@ bool is_direction(const Path& path) {
 
 /// What `units` say of a name, or of one of the numbers in a list of that name.
 std::optional<std::string> unit_of_name(const Json& units, const std::string& name, const Path& indices) {
-  const Json* unit = step(units, name);
+  const Json* unit = child_at(units, name);
   for (const std::string& index : indices) {
-    if (unit != nullptr && unit->is_array()) unit = step(*unit, index);
+    if (unit != nullptr && unit->is_array()) unit = child_at(*unit, index);
   }
   const bool is_known =
       unit != nullptr && unit->is_string() && parse_unit(unit->get_ref<const std::string&>());
@@ -89,7 +52,7 @@ std::optional<std::string> unit_of_neighbours(const Json& units, const Json& obj
 /// What a number deep in an answer shares with others: the unit of its object, of its neighbours, of what it
 /// is the error of, or of the time.
 std::optional<std::string> shared_unit(const Json& units, const Json& object, const std::string& name) {
-  if (const Json* own = step(object, "unit"); own != nullptr && own->is_string())
+  if (const Json* own = child_at(object, "unit"); own != nullptr && own->is_string())
     return name == "max_rel_drift" ? "1" : own->get<std::string>();
   if (name == "error") return unit_of_neighbours(units, object);
   if (name == "t_reached" || name == "horizon") return unit_of_name(units, "t", {});
@@ -103,9 +66,9 @@ std::string unit_of(const Json& answer, const Path& path) {
   const auto units = answer.find("units");
   if (units == answer.end() || is_direction(path)) return "1";
   const Json* object = &answer;
-  for (std::size_t i = 0; i + 1 + indices.size() < path.size(); ++i) object = step(*object, path[i]);
+  for (std::size_t i = 0; i + 1 + indices.size() < path.size(); ++i) object = child_at(*object, path[i]);
   const bool is_deep = object != &answer;
-  if (is_deep || !step(*units, name)) {
+  if (is_deep || !child_at(*units, name)) {
     if (const auto shared = shared_unit(*units, *object, name)) return *shared;
   }
   return unit_of_name(*units, name, indices).value_or("1");
@@ -135,7 +98,7 @@ std::optional<double> error_in(const Json& object, const std::string& name) {
 double error_of(const Json& answer, const Path& path, double value) {
   const std::string name = name_and_indices(path).first;
   std::vector<const Json*> above{&answer};
-  for (const std::string& token : path) above.push_back(step(*above.back(), token));
+  for (const std::string& token : path) above.push_back(child_at(*above.back(), token));
   above.pop_back();
   if (const auto beside = number_in(*above.back(), "error")) return *beside;
   for (auto place = above.rbegin(); place != above.rend(); ++place) {
@@ -155,7 +118,7 @@ class Collector {
       found_.is_list = true;
       return each(here, [&](const Json& element) { return follow(element, tokens, next + 1); });
     }
-    const Json* below = step(here, tokens[next]);
+    const Json* below = child_at(here, tokens[next]);
     if (below == nullptr) {
       where_ = &here;
       return false;
@@ -222,7 +185,7 @@ std::vector<std::string> keys_of(const Json& object) {
 
 std::optional<Pointed> pointed(const Json& answer, const std::string& pointer, const Place& place,
                                Errors& errors) {
-  const auto tokens = tokens_of(pointer);
+  const auto tokens = steps_of(pointer);
   if (!tokens) {
     report(errors, place.error("syntax", "A pointer looks like '/theta_max' or '/modes/0/omega'."));
     return std::nullopt;

@@ -6,6 +6,7 @@
 #include "api/answers/sweep/schema_place.hpp"
 #include "api/contract/names.hpp"
 #include "api/json/limits.hpp"
+#include "api/json/pointer.hpp"
 #include "api/json/text.hpp"
 
 namespace qdot::api {
@@ -18,8 +19,7 @@ std::string name_of_pointer(std::string_view pointer) {
   while (!pointer.empty()) {
     const std::size_t slash = pointer.rfind('/');
     const std::string_view last = pointer.substr(slash == std::string_view::npos ? 0 : slash + 1);
-    const bool is_index = !last.empty() && last.find_first_not_of("0123456789") == std::string_view::npos;
-    if (!is_index || slash == std::string_view::npos) return std::string(last);
+    if (!is_made_of_digits(last) || slash == std::string_view::npos) return std::string(last);
     pointer = pointer.substr(0, slash);
   }
   return {};
@@ -80,12 +80,15 @@ std::string reason_in(const Json& object, const std::string& member) {
 
 /// The nearest reason above a place.
 std::string reason_above(const Json& answer, const std::string& pointer) {
-  for (Json::json_pointer place(pointer); !place.empty(); place.pop_back()) {
-    const Json::json_pointer above = place.parent_pointer();
-    if (!answer.contains(above) || !answer[above].is_object()) continue;
-    if (std::string reason = reason_in(answer[above], place.back()); !reason.empty()) return reason;
+  std::string nearest;
+  const Json* here = &answer;
+  for (const std::string& step : steps_of(pointer).value_or(std::vector<std::string>())) {
+    if (here->is_object())
+      if (std::string reason = reason_in(*here, step); !reason.empty()) nearest = std::move(reason);
+    here = child_at(*here, step);
+    if (here == nullptr) break;
   }
-  return "";
+  return nearest;
 }
 
 }  // namespace

@@ -18,6 +18,7 @@ struct SweepPlan {
   bool is_carried{};  ///< the request brings its scene along
   SweptValues swept{};
   std::vector<CollectedColumn> columns{};
+  SweepFormat format{SweepFormat::json};
   Json echo = Json::object();
 };
 

@@ -5,6 +5,7 @@
 #include <mutex>
 
 #include "api/answers/many.hpp"
+#include "api/answers/sweep/answer_bound.hpp"
 #include "api/contract/json_reader.hpp"
 #include "api/json/documents.hpp"
 #include "api/json/pointer.hpp"
@@ -52,6 +53,17 @@ SweptRow read_row(const Response& response, const std::vector<CollectedColumn>& 
   return row;
 }
 
+/// What a row takes in the answer, whose form may add quotes, commas and escapes: no more than it will.
+std::size_t least_bytes(const SweepPlan& plan, const SweptRow& row) {
+  std::size_t bytes = row.reason.size();
+  for (std::size_t i = 0; i < plan.columns.size(); ++i) {
+    const Json& value = row.values[i];
+    bytes += value.is_string() ? value.get_ref<const std::string&>().size() : 1;
+    if (plan.format == SweepFormat::ndjson) bytes += plan.columns[i].name.size();
+  }
+  return bytes;
+}
+
 /// Asks one row as a client would ask it alone.
 Response asked_row(const SweepPlan& plan, std::size_t row, const std::vector<std::string>& wanted,
                    const Call& call, const Answering& answering) {
@@ -90,6 +102,8 @@ SweptRows answered_rows(const SweepPlan& plan, const Call& call, const FindSyste
   answered.rows.reserve(plan.swept.rows);
   std::vector<std::string> units(plan.columns.size());
   std::vector<std::size_t> first(plan.columns.size(), plan.swept.rows);  // row that the unit is of
+  const AnswerBound bound(call.request.work);
+  std::size_t bytes = 0;
   std::mutex mutex;
   const auto ask = [&](std::size_t i) {
     std::vector<std::string> own_units;
@@ -97,6 +111,8 @@ SweptRows answered_rows(const SweepPlan& plan, const Call& call, const FindSyste
     SweptRow row = read_row(response, plan.columns, own_units);
     if (has_more_digits && response.status == 200) row.digits = digits_in(response.body, plan.columns);
     const std::lock_guard lock(mutex);
+    bytes += least_bytes(plan, row);
+    bound.check(bytes);
     if (answered.rows.size() <= i) answered.rows.resize(i + 1);
     answered.rows[i] = std::move(row);
     for (std::size_t column = 0; column < own_units.size(); ++column) {

@@ -23,7 +23,8 @@ struct SweptRows {
 
 /// Asks every row, in the threads that the call's request may use. `find_system` and `models` are those of
 /// the service; a scene that the request brings, or an input, is compiled once for all rows. Where the work
-/// has no service's bounds and is interrupted, the rows are those before the first that was not asked.
+/// has no service's bounds and is interrupted, the rows are those before the first that was not asked. Throws
+/// AnswerTooLong as soon as the rows show that the answer is.
 [[nodiscard]] SweptRows answered_rows(const SweepPlan& plan, const Call& call, const FindSystem& find_system,
                                       Models& models);
 

@@ -7,33 +7,11 @@
 #include <vector>
 
 #include "api/contract/field_values.hpp"
-#include "api/json/limits.hpp"
+#include "api/json/pointer.hpp"
 #include "api/json/text.hpp"
 
 namespace qdot::api {
 namespace {
-
-/// "/modes/0/omega" as {"modes", "0", "omega"}, escapes decoded; none where it is no pointer.
-std::optional<std::vector<std::string>> steps_of(std::string_view pointer) {
-  if (!pointer.starts_with('/')) return std::nullopt;
-  std::vector<std::string> steps;
-  while (!pointer.empty()) {
-    pointer.remove_prefix(1);
-    std::string step;
-    for (; !pointer.empty() && pointer[0] != '/'; pointer.remove_prefix(1)) {
-      const bool is_escape = pointer[0] == '~';
-      if (is_escape && (pointer.size() < 2 || (pointer[1] != '0' && pointer[1] != '1'))) return std::nullopt;
-      step += is_escape ? (pointer[1] == '0' ? '~' : '/') : pointer[0];
-      if (is_escape) pointer.remove_prefix(1);
-    }
-    steps.push_back(std::move(step));
-  }
-  return steps;
-}
-
-bool is_index_text(const std::string& step) {
-  return !step.empty() && step.find_first_not_of("0123456789") == std::string::npos;
-}
 
 bool has_type(const Json& schema, std::string_view type) {
   const auto types = schema.find("type");
@@ -99,7 +77,7 @@ class Follower {
     if (!schema.is_object() || schema.contains("$ref")) return std::nullopt;
     if (next == steps.size()) return end_at(schema);
     if (schema.contains("items") && has_type(schema, "array")) {
-      if (is_index_text(steps[next])) return follow(schema["items"], steps, next + 1);
+      if (is_made_of_digits(steps[next])) return follow(schema["items"], steps, next + 1);
       return nothing({"0", "1"}, "");
     }
     return follow_member(schema, steps, next);
@@ -151,8 +129,14 @@ std::optional<FieldError> place_in_schema(const Json& schema, const std::string&
                                           const Place& place) {
   const auto steps = steps_of(pointer);
   if (!steps) return place.error("syntax", "A pointer looks like '/theta_max' or '/modes/0/omega'.");
-  for (const std::string& step : *steps)
+  for (const std::string& step : *steps) {
     if (step == "*") return place.error("syntax", "A sweep collects one value of a row: no '*' here.");
+    // No member of an answer is called by a number.
+    if (is_made_of_digits(step) && !index_of(step))
+      return place.error("unknown_place", "Answers have nothing at " + in_quotes(pointer) +
+                                              ": no list has an index " + in_quotes(step) +
+                                              "; they count 0, 1, 2 and so on.");
+  }
   return Follower(pointer, place).follow(schema, *steps, 0);
 }
 

@@ -34,8 +34,11 @@ std::uint64_t fractions_of(const SweptRange& range) { return range.law == SweptR
 
 /// The draw of a variable from the next of its fractions.
 double drawn(const SweptRange& range, RandomBits& random) {
-  if (range.law == SweptRange::Law::uniform)
-    return range.first + (range.second - range.first) * random.fraction();
+  if (range.law == SweptRange::Law::uniform) {
+    if (const double width = range.second - range.first; std::isfinite(width))
+      return range.first + width * random.fraction();
+    return 2 * (range.first / 2 + (range.second / 2 - range.first / 2) * random.fraction());
+  }
   const double radius = std::sqrt(-2 * evaluate(Function::log, 1 - random.fraction()));
   return range.first +
          range.second * (radius * evaluate(Function::cos, 2 * std::numbers::pi * random.fraction()));

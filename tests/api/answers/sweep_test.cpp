@@ -32,6 +32,8 @@ TEST(PlaceInSchema, IsNotWhereTheyNeverHaveAny) {
   for (const char* pointer : {"/mode/0/omega", "/modes/omega", "/modes/0/omegas", "/modes/0/omega/0", "/"})
     EXPECT_EQ(refusal("modes", pointer), "unknown_place") << pointer;
   EXPECT_EQ(refusal("turning_points", "/theta_mx"), "unknown_place");
+  for (const char* pointer : {"/modes/01/omega", "/modes/18446744073709551615/omega", "/request/initial/00"})
+    EXPECT_EQ(refusal("modes", pointer), "unknown_place") << pointer;
   EXPECT_EQ(refusal("modes", "/modes"), "wrong_place");
   for (const char* pointer : {"", "modes", "/modes/*/omega", "/a~2"})
     EXPECT_EQ(refusal("modes", pointer), "syntax") << pointer;
@@ -91,16 +93,23 @@ TEST(SweptValues, OfASampleAreDrawnInOrderFromOneSequence) {
 }
 
 TEST(SweptValues, ThatMayPassDoublePrecisionAreLookedAtUntilNobodyWaits) {
-  const SweepRequest grid{.vary = {{"theta", {{"from", -1e307}, {"to", 1e307}, {"count", 1000}}}}};
-  const SweepRequest sample{.vary = {{"theta", {{"uniform", {-1e308, 1e308}}}}}, .count = 1000};
-  for (const SweepRequest& request : {grid, sample}) {
-    Errors errors;
-    EXPECT_FALSE(read(request, errors));
-    ASSERT_EQ(errors.size(), 1U);
-    EXPECT_EQ(errors[0].code, "out_of_range");
-    const WorkScope scope(1000, [] { return true; });
-    EXPECT_THROW(read(request, errors), Interrupted);
-  }
+  const SweepRequest request{.vary = {{"theta", {{"normal", {1.7e308, 1e307}}}}}, .count = 1000};
+  Errors errors;
+  EXPECT_FALSE(read(request, errors));
+  ASSERT_EQ(errors.size(), 1U);
+  EXPECT_EQ(errors[0].code, "out_of_range");
+  const WorkScope scope(1000, [] { return true; });
+  EXPECT_THROW(read(request, errors), Interrupted);
+}
+
+TEST(SweptValues, LieBetweenEndsThatAreFurtherApartThanDoublesReach) {
+  Errors errors;
+  const auto grid = read({.vary = {{"theta", {{"from", -1e308}, {"to", 1e308}, {"count", 5}}}}}, errors);
+  ASSERT_TRUE(grid);
+  EXPECT_EQ(values_of(*grid), (std::vector<double>{-1e308, -5e307, 0, 5e307, 1e308}));
+  const auto sample = read({.vary = {{"theta", {{"uniform", {-1e308, 1.7e308}}}}}, .count = 100}, errors);
+  ASSERT_TRUE(sample);
+  for (const double value : values_of(*sample)) EXPECT_TRUE(value >= -1e308 && value < 1.7e308) << value;
 }
 
 TEST(SweptValues, SpeakOfNothingThatVaries) {

@@ -182,8 +182,9 @@ TEST(RequestReader, RefusesValuesOfOtherTypes) {
   EXPECT_EQ(error(R"("count": "7")"), "'count' needs a whole number, not a string.");
   EXPECT_EQ(error(R"("count": 11)"), "'count' must be from 1 to 10; it is 11.");
   EXPECT_EQ(error(R"("count": 18446744073709551615)"),
-            "'count' must be from 1 to 10; it is 9223372036854775807.");
-  EXPECT_EQ(error(R"("count": 1e300)"), "'count' needs a whole number.");
+            "'count' must be from 1 to 10; it is 1.8446744073709552e+19.");
+  EXPECT_EQ(error(R"("count": 1e300)"), "'count' must be from 1 to 10; it is 1e+300.");
+  EXPECT_EQ(error(R"("count": 2.5)"), "'count' needs a whole number.");
   EXPECT_EQ(error(R"("flag": "true")"), "'flag' needs true or false, not a string.");
   EXPECT_EQ(error(R"("colour": 1)"), "'colour' needs red or green, not a number.");
   EXPECT_EQ(error(R"("colours": ["red", "red"])"), "'colours' has \"red\" twice.");

@@ -19,5 +19,28 @@ TEST(Pointers, RepeatTheVelocityOfTheLongestNameWholeAndNothingLonger) {
   EXPECT_EQ(below("#", text), "#");
 }
 
+TEST(Pointers, AreReadStepByStep) {
+  using Steps = std::vector<std::string>;
+  EXPECT_EQ(steps_of("/modes/0/omega"), (Steps{"modes", "0", "omega"}));
+  EXPECT_EQ(steps_of("/a~1b~0c//d%20"), (Steps{"a/b~c", "", "d%20"}));
+  EXPECT_EQ(steps_of("/"), (Steps{""}));
+  for (const char* none : {"", "modes", "#/modes", "/a~", "/a~2", "/~/b"})
+    EXPECT_EQ(steps_of(none), std::nullopt) << none;
+}
+
+TEST(Pointers, LeadIntoArraysByIndicesOnly) {
+  EXPECT_EQ(index_of("0"), 0U);
+  EXPECT_EQ(index_of("18446744073709551614"), 18446744073709551614U);
+  for (const char* none :
+       {"", "-", "-1", "+1", "01", "00", "1a", "1.0", "18446744073709551615", "99999999999999999999"})
+    EXPECT_EQ(index_of(none), std::nullopt) << none;
+  const Json list{{"modes", {1, 2}}, {"01", 3}};
+  EXPECT_EQ(*child_at(list, "01"), 3);
+  EXPECT_EQ(*child_at(*child_at(list, "modes"), "1"), 2);
+  for (const char* nothing : {"2", "01", "18446744073709551616", "omega"})
+    EXPECT_EQ(child_at(list["modes"], nothing), nullptr) << nothing;
+  EXPECT_EQ(child_at(list["01"], "0"), nullptr);
+}
+
 }  // namespace
 }  // namespace qdot::api
