@@ -14,6 +14,14 @@
 namespace qdot {
 namespace {
 
+#ifdef __aarch64__
+constexpr auto powers_of_pairs = Sleef_cinz_powd2_u10advsimdnofma;
+constexpr auto sines_and_cosines_of_pairs = Sleef_cinz_sincosd2_u10advsimdnofma;
+#else
+constexpr auto powers_of_pairs = Sleef_cinz_powd2_u10sse2;
+constexpr auto sines_and_cosines_of_pairs = Sleef_cinz_sincosd2_u10sse2;
+#endif
+
 template <class Number>
 Number sum_of_products(const Instruction& i, const Slot* operand, const Number* slots) {
   Number sum{};
@@ -25,9 +33,7 @@ Number sum_of_products(const Instruction& i, const Slot* operand, const Number* 
 }
 
 double power_of(double x, double exponent) { return Sleef_cinz_powd1_u10purec(x, exponent); }
-PairOfDoubles power_of(PairOfDoubles x, PairOfDoubles exponent) {
-  return Sleef_cinz_powd2_u10sse2(x, exponent);
-}
+PairOfDoubles power_of(PairOfDoubles x, PairOfDoubles exponent) { return powers_of_pairs(x, exponent); }
 
 void sine_and_cosine(double* out, double x) {
   const auto both = Sleef_cinz_sincosd1_u10purec(x);
@@ -35,7 +41,7 @@ void sine_and_cosine(double* out, double x) {
   out[1] = both.y;
 }
 void sine_and_cosine(PairOfDoubles* out, PairOfDoubles x) {
-  const auto both = Sleef_cinz_sincosd2_u10sse2(x);
+  const auto both = sines_and_cosines_of_pairs(x);
   out[0] = both.x;
   out[1] = both.y;
 }

@@ -1,5 +1,7 @@
 #include "core/integrate/series_at_four.hpp"
 
+#include "core/numerics/instruction_set.hpp"
+
 namespace qdot {
 namespace {
 
@@ -40,7 +42,10 @@ template <std::size_t count>
 }
 
 // Without fused multiply-adds: both give the same bits.
-[[gnu::target("avx2")]] void sum_with_avx2(const double* c, std::size_t order, const double* times,
+#ifdef __x86_64__
+[[gnu::target("avx2")]]
+#endif
+void sum_with_avx2(const double* c, std::size_t order, const double* times,
                                            double* sums, std::size_t rows) {
   sum_at_four(c, order, times, sums, rows);
 }
@@ -48,8 +53,8 @@ template <std::size_t count>
 }  // namespace
 
 void sum_series_at_four(const double* c, std::size_t order, const double* s, std::span<double> sums) {
-  static const bool has_avx2 = __builtin_cpu_supports("avx2");
-  if (!has_avx2) return sum_series_at_four_plainly(c, order, s, sums);
+  static const bool is_fast = has_avx2();
+  if (!is_fast) return sum_series_at_four_plainly(c, order, s, sums);
   sum_with_avx2(c, order, s, sums.data(), sums.size() / 4);
 }
 

@@ -58,7 +58,11 @@ int main(int argc, char** argv, char** environment) {
   if (directory.find_first_of(":;$") != std::string::npos)
     return complain("the loader cannot read a directory with : ; or $ in its name: " + directory);
   std::string libraries = directory + "/lib";
+#ifdef __aarch64__
+  std::string loader = libraries + "/ld-linux-aarch64.so.1";
+#else
   std::string loader = libraries + "/ld-linux-x86-64.so.2";
+#endif
   std::string program = libraries + "/qdot";
   char library_path[] = "--library-path", no_cache[] = "--inhibit-cache", name_option[] = "--argv0",
        name[] = "qdot";

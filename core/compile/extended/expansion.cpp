@@ -5,13 +5,13 @@
 #include <stdexcept>
 
 #include "core/compile/extended/translation.hpp"
+#include "core/numerics/instruction_set.hpp"
 
 namespace qdot {
 namespace {
 
 extended::Kernel extended_kernel_for(InstructionSet set) {
-  const bool has_fma = __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma");
-  return set == InstructionSet::automatic && has_fma ? extended::fma::expand : extended::plain::expand;
+  return set == InstructionSet::automatic && has_avx2_and_fma() ? extended::fma::expand : extended::plain::expand;
 }
 
 std::vector<double> high_parts(std::span<const DoubleDouble> values) {

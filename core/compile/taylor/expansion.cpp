@@ -4,12 +4,12 @@
 
 #include "core/compile/taylor/translation.hpp"
 #include "core/numerics/constants.hpp"
+#include "core/numerics/instruction_set.hpp"
 
 namespace qdot {
 
 taylor::Kernels taylor::best_kernels() {
-  return __builtin_cpu_supports("avx2") ? Kernels{avx2::expand, avx2::expand_pair, avx2::measure}
-                                        : plain_kernels();
+  return has_avx2() ? Kernels{avx2::expand, avx2::expand_pair, avx2::measure} : plain_kernels();
 }
 
 taylor::Kernels taylor::plain_kernels() { return {plain::expand, plain::expand_pair, plain::measure}; }
