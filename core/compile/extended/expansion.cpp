@@ -11,7 +11,8 @@ namespace qdot {
 namespace {
 
 extended::Kernel extended_kernel_for(InstructionSet set) {
-  return set == InstructionSet::automatic && has_avx2_and_fma() ? extended::fma::expand : extended::plain::expand;
+  return set == InstructionSet::automatic && has_avx2_and_fma() ? extended::fma::expand
+                                                                : extended::plain::expand;
 }
 
 std::vector<double> high_parts(std::span<const DoubleDouble> values) {
