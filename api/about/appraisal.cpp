@@ -90,7 +90,7 @@ double factor_of_system(const Json& fields) {
 
 double factor_of_precision(const Json& fields) {
   const auto precision = fields.find("precision");
-  return precision != fields.end() && *precision == "extended" ? of_extended : 1;
+  return precision != fields.end() && is_text(*precision, "extended") ? of_extended : 1;
 }
 
 /// Of a list, or of a query's text.

@@ -73,7 +73,7 @@ class Operation {
     for (const Json& parameter : about_.value("query", Json::array())) all.push_back(parameter);
     if (endpoint_ != nullptr) {
       for (const Json& parameter : query_parameters(*endpoint_->question.fields)) {
-        const bool is_format = parameter["name"] == "format";
+        const bool is_format = is_text(parameter["name"], "format");
         if (is_format ? suffix_.empty() : !is_post) all.push_back(parameter);
       }
     }

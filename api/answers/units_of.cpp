@@ -7,7 +7,7 @@ namespace {
 void drop_unit(Json& json) {
   if (json.is_structured()) {
     for (auto& part : json) drop_unit(part);
-  } else if (json.is_string() && json != "rad" && json != "deg") {
+  } else if (json.is_string() && !is_text(json, "rad") && !is_text(json, "deg")) {
     json = "1";
   }
 }

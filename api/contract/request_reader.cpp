@@ -76,7 +76,7 @@ class RequestReader {
   [[nodiscard]] std::string system_without_its_field(const std::string& field) const {
     for (const auto& [name, value] : fields_.items()) {
       Errors ignored;
-      if (root_.road() == Road::query && value == "" && find_system_(Json(name), root_, ignored))
+      if (root_.road() == Road::query && is_text(value, "") && find_system_(Json(name), root_, ignored))
         return field + "=" + name;
     }
     return {};

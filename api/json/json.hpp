@@ -2,8 +2,11 @@
 // The one JSON type of this room. Objects keep the order in which they were written, so that a scene reads
 // the same on the way out and an answer's fields come in the order that the code gives them.
 
+#include <concepts>
 #include <memory>
 #include <nlohmann/json.hpp>
+#include <string>
+#include <string_view>
 
 namespace nlohmann {
 
@@ -33,5 +36,14 @@ inline void basic_json<ordered_map>::json_value::destroy(value_t type) {
 namespace qdot::api {
 
 using Json = nlohmann::ordered_json;
+
+/// The library compares with a literal by making JSON of it: that takes memory, and may not fail.
+[[nodiscard]] inline bool is_text(const Json& json, std::string_view text) {
+  return json.is_string() && json.get_ref<const std::string&>() == text;
+}
+template <std::same_as<Json> Given>
+bool operator==(const Given& json, const char* text) = delete;
+template <std::same_as<Json> Given>
+bool operator!=(const Given& json, const char* text) = delete;
 
 }  // namespace qdot::api

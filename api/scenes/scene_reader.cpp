@@ -42,7 +42,7 @@ void fill_units(Scene& scene) {
 
 /// A scene with units has them everywhere.
 void check_units(const Json& scene, const Place& place, Errors& errors) {
-  if (!scene.is_object() || scene.value("units", Json()) == "none") return;
+  if (!scene.is_object() || is_text(scene.value("units", Json()), "none")) return;
   for (const std::string& list : lists_with_units()) {
     const auto found = scene.find(list);
     if (found == scene.end() || !found->is_array()) continue;

@@ -27,7 +27,7 @@ inline std::shared_ptr<const Scene> spring_pendulum() {
 }
 
 inline std::shared_ptr<const Scene> find_example(const Json& value, const Place& place, Errors& errors) {
-  if (value == "spring_pendulum") return spring_pendulum();
+  if (is_text(value, "spring_pendulum")) return spring_pendulum();
   errors.push_back(place.error("unknown_system", "There is no such system."));
   return nullptr;
 }

@@ -139,7 +139,7 @@ class Planner {
   /// What is collected by pointers is JSON.
   void refuse_other_formats() {
     const auto format = plan_.asked.fields.find("format");
-    if (format == plan_.asked.fields.end() || *format == "json") return;
+    if (format == plan_.asked.fields.end() || is_text(*format, "json")) return;
     report(errors_,
            Place(whole_)
                .below("ask")

@@ -96,7 +96,7 @@ SweptRows answered_rows(const SweepPlan& plan, const Call& call, const FindSyste
   const FindSystem same = [&plan](const Json&, const Place&, Errors&) { return plan.scene; };
   const Answering answering = plan.question->question.answering(plan.is_carried ? same : find_system, own);
   const std::vector<std::string> wanted = members_read(plan.columns);
-  const bool has_more_digits = plan.asked.fields.value("precision", Json()) == "extended";
+  const bool has_more_digits = is_text(plan.asked.fields.value("precision", Json()), "extended");
   SweptRows answered;
   // Refuses now what no memory holds, and touches none of it.
   answered.rows.reserve(plan.swept.rows);

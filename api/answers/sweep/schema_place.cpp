@@ -85,7 +85,8 @@ class Follower {
 
  private:
   std::optional<FieldError> end_at(const Json& schema) const {
-    const bool is_list = schema.contains("type") && (schema["type"] == "object" || schema["type"] == "array");
+    const bool is_list =
+        schema.contains("type") && (is_text(schema["type"], "object") || is_text(schema["type"], "array"));
     if (!is_list) return std::nullopt;
     return place_.error("wrong_place", "At " + in_quotes(pointer_) +
                                            " answers have an object or an array; point to one value in it.");
