@@ -64,7 +64,7 @@ struct LanesOptions {
                    .waiting = 1024,
                    .bytes = std::size_t{32} << 20,
                    .longest_task = 0.25,
-                   .longest_stay = 0.5};
+                   .longest_stay = 1.5};
   LaneLimits lengthy{.longest_wait = 5, .burst_wait = 5, .waiting = 1024};
 };
 
