@@ -339,20 +339,24 @@ TEST(TurningPoints, AreNotAskedOfTheEnergyWhereItCannotAnswer) {
   EXPECT_THROW((void)turning_points(dynamics_of("spring_pendulum"), start.parameters, start.y), Error);
 }
 
+/// Of the first coordinate.
+TrajectoryExtrema followed(const std::string& system, const Start& start, double t_end) {
+  return trajectory_extrema(dynamics_of(system), {.parameters = start.parameters,
+                                                  .y_start = start.y,
+                                                  .coordinate = 0,
+                                                  .t_start = 0,
+                                                  .t_end = t_end,
+                                                  .on_invalid = OnInvalid::stop,
+                                                  .impacts = Impacts::apply,
+                                                  .limits = {}});
+}
+
 TEST(TrajectoryExtrema, OfAnIsotropicOscillatorAreItsEllipses) {
   // l0 = 0: y oscillates about -m g/k with sqrt(k/m). Dropped at theta = 0 from l, the spring goes to 2 m g/k
   // - l.
   const Start start =
       start_of("spring_pendulum", {{"m", 1}, {"k", 20}, {"l0", 0}}, {{"l", 0.7}, {"theta", 0}});
-  const TrajectoryExtrema found =
-      trajectory_extrema(dynamics_of("spring_pendulum"), {.parameters = start.parameters,
-                                                          .y_start = start.y,
-                                                          .coordinate = 0,
-                                                          .t_start = 0,
-                                                          .t_end = 3,
-                                                          .on_invalid = OnInvalid::stop,
-                                                          .impacts = Impacts::apply,
-                                                          .limits = {}});
+  const TrajectoryExtrema found = followed("spring_pendulum", start, 3);
   EXPECT_NEAR(*found.minimum.value, 2 * 9.81 / 20 - 0.7, found.minimum.error);
   EXPECT_LT(found.minimum.error, 1e-9);
   EXPECT_NEAR(found.t_minimum, pi / std::sqrt(20.0), 1e-6);
@@ -362,15 +366,7 @@ TEST(TrajectoryExtrema, OfAnIsotropicOscillatorAreItsEllipses) {
 TEST(TrajectoryExtrema, OfASmallMotionAreKnownByItsSize) {
   for (const double x0 : {1e-9, 1e-12, 1e-30}) {
     const Start start = start_of("damped_oscillator", {{"m", 1}, {"b", 0}, {"k", 3}}, {{"x", x0}});
-    const TrajectoryExtrema found =
-        trajectory_extrema(dynamics_of("damped_oscillator"), {.parameters = start.parameters,
-                                                              .y_start = start.y,
-                                                              .coordinate = 0,
-                                                              .t_start = 0,
-                                                              .t_end = 50,
-                                                              .on_invalid = OnInvalid::stop,
-                                                              .impacts = Impacts::apply,
-                                                              .limits = {}});
+    const TrajectoryExtrema found = followed("damped_oscillator", start, 50);
     EXPECT_NEAR(*found.minimum.value, -x0, found.minimum.error);
     EXPECT_LT(found.minimum.error, 1e-9 * x0);
   }
